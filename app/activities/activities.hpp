@@ -1,4 +1,4 @@
-// The activities of a person, who is at one of them.
+// The activities of a person, one of which is current.
 #pragma once
 
 #include "app/activities/attempt.hpp"
@@ -24,12 +24,12 @@ class Activities {
     Activity& current() { return *current_; }
     const Activity& current() const { return *current_; }
     Allowed allowed() const { return current_->allowed(); }
-    /// The person is at this one.
+    /// True if this activity is the current one.
     bool at(const Activity& activity) const { return current_ == &activity; }
 
-    /// The person turns to one of these. It has begun itself.
+    /// Makes an activity that has begun the current one.
     void turnTo(Activity& activity) { current_ = &activity; }
-    /// Ends all of them: there is no metal any more, or soon.
+    /// Ends all of them, because the metal is gone or about to go.
     void end() {
         attempt.end();
         trial.stop();
@@ -38,13 +38,13 @@ class Activities {
         comparison.end();
         leave();
     }
-    /// Back to the list of attempts. No-op where none are compared.
+    /// Returns to the list of attempts. No-op outside a comparison.
     void endComparison() {
         if (!at(comparison)) return;
         comparison.end();
         leave();
     }
-    /// There is no metal while it is made for another activity.
+    /// Leaves the current activity while the metal is made for another one.
     void leave() { current_ = &none_; }
 
   private:

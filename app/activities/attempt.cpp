@@ -26,7 +26,7 @@ void Attempt::reset(Trainer& trainer) {
     tellJudgement();
     trainer.reset();
     log_.close();
-    log_.records().check(trainer); // the last lines of the record that ended
+    log_.records().check(trainer); // checks the last lines of the record that ended
 }
 
 void Attempt::tellJudgement() {
@@ -58,7 +58,7 @@ void Attempt::finish(ActivityFrame& frame) {
     ghost_.update(trainer, frame.forScore, cues_.strength(bands ? &*bands : nullptr), frame.seconds);
     if (!judge_.update(trainer)) return;
     judge(trainer);
-    frame.clock.restart(); // the metal does not make good the time that judging took
+    frame.clock.restart(); // the metal does not catch up on the time that judging took
 }
 
 void Attempt::judge(const Trainer& trainer) {

@@ -1,5 +1,5 @@
-// A person's own attempt: the weld under their torch, with the help beside it, its judgement, and what is kept of it.
-// It begins over the metal at its start, or again from one of its checkpoints: then it is redone.
+// A person's own attempt: the weld under their torch, with its help, judgement and stored files. It begins over the
+// metal at its start, or again from one of its checkpoints: then it is redone.
 #pragma once
 
 #include "app/activities/activity.hpp"
@@ -21,32 +21,32 @@ class Attempt final : public Activity {
     void step(ActivityFrame& frame, int step, int steps) override;
     void finish(ActivityFrame& frame) override;
 
-    /// Another lesson was opened.
+    /// Takes another lesson.
     void open(const Lesson& lesson);
-    /// Begins over the metal at its start. An attempt for score is welded once, from its beginning to its end. Answers
-    /// why its record cannot be written; empty: it is, or none is wanted.
+    /// Begins over the metal at its start. An attempt for score is welded once, from its beginning to its end. Returns
+    /// the reason why its record cannot be written; empty: it is written, or none is wanted.
     std::string begin(Trainer& trainer, bool forScore);
-    /// Begins again from an earlier moment of its own metal, see Redo::back(): files, cues and ghost go on, the
-    /// judgement is forgotten. False where no such moment is kept. Waits for the GPU.
+    /// Begins again from an earlier checkpoint, see Redo::back(): files, cues and ghost go on, the judgement is
+    /// dropped. False if there is no such checkpoint. Waits for the GPU.
     bool beginFromCheckpoint(Trainer& trainer);
-    /// The attempt is over, or there was none: its judgement goes into its recording.
+    /// Ends the attempt, if there is one, and writes its judgement to its recording.
     void end();
-    /// Puts the metal back to its start for another attempt; the judgement goes into the recording of this one.
+    /// Resets the metal to its start for another attempt, and writes the judgement to the recording of this one.
     void reset(Trainer& trainer);
 
-    /// Judges the attempt so far; nothing while the arc burns or before the attempt has begun. Waits for the GPU. A
-    /// finished weld is judged without being asked for, see AttemptJudge. Throws RuntimeFault.
+    /// Judges the attempt so far; no-op while the arc burns and before the attempt begins. Waits for the GPU. A
+    /// finished weld is judged automatically, see AttemptJudge. Throws RuntimeFault.
     void judge(const Trainer& trainer);
     const AttemptJudge& judging() const { return judge_; }
-    /// The judgement of the attempt, until the arc burns again or another attempt begins, and how many there were.
+    /// Judgement of the attempt, until the arc burns again or another attempt begins, and the count of judgements.
     const std::optional<JudgedAttempt>& judged() const { return judge_.judged(); }
     size_t judgements() const { return judge_.count(); }
     AttemptLog& log() { return log_; }
     const AttemptLog& log() const { return log_; }
-    /// Help beside the torch.
+    /// Cues at the torch.
     AttemptCues& cues() { return cues_; }
     const AttemptCues& cues() const { return cues_; }
-    /// Another's torch beside one's own.
+    /// Ghost: another's torch next to one's own.
     AttemptGhost& ghost() { return ghost_; }
     const AttemptGhost& ghost() const { return ghost_; }
 

@@ -11,7 +11,7 @@ namespace meltpool {
 
 namespace {
 
-/// 0 where nobody knows.
+/// Size of a file; 0 if unknown.
 std::uintmax_t sizeOf(const std::filesystem::path& file) {
     std::error_code failure;
     const std::uintmax_t bytes = std::filesystem::file_size(file, failure);
@@ -85,7 +85,7 @@ void AttemptComparison::update(gl::ShaderLibrary& shaders, double seconds, Stopw
     }
 }
 
-/// Of the attempt that is welded, 1 at its end. A recorded one ends with its last step, a path with its time.
+/// Progress of the current attempt, 1 at its end. A recording ends with its last step, a path with its time.
 double AttemptComparison::share() const {
     if (!trainer_) return 0;
     const Lesson& lesson = trainer_->lesson();

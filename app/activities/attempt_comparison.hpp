@@ -1,5 +1,4 @@
-// Two kept attempts of a lesson, welded again one after the other a frame's share at a time and held against each
-// other.
+// The comparison of two stored attempts at a lesson, each welded again, one after the other, a share per frame.
 #pragma once
 
 #include "app/activities/activity.hpp"
@@ -18,30 +17,30 @@
 
 namespace meltpool {
 
-/// An attempt that was welded again, and what came of it.
+/// Result of an attempt that was welded again.
 struct ComparedAttempt {
     std::filesystem::path file;
-    std::uintmax_t bytes = 0; ///< of the file, so that one that grew is welded anew
+    std::uintmax_t bytes = 0; ///< size of the file, so that one that grew is welded again
     Judgement judgement;
     AttemptFigures figures;
-    ReplayEnd end; ///< whether it is the attempt to the last bit
+    ReplayEnd end; ///< comparison with the recording's last bits
 };
 
-/// Goes on beside the list of attempts, outside a lesson: it makes the metal of both itself.
+/// Comparison of two attempts. It runs on the list of attempts, outside a lesson, and makes the metal of both itself.
 class AttemptComparison final : public Activity {
   public:
-    static constexpr size_t kKept = 6; ///< attempts whose results stay known
+    static constexpr size_t kKept = 6; ///< count of stored results
 
-    /// One of the two as the list has it.
+    /// One of the two as the list shows it.
     struct Side {
         std::filesystem::path file;
-        std::string detail; ///< when, how long, what score
+        std::string detail; ///< date, duration and score
     };
 
-    /// Reads both; nothing is welded yet. Throws InputError where they are no two attempts at the same weld lesson, and
-    /// what lessonOfAttempt() throws; what was shown before stays then.
+    /// Reads both; welds nothing yet. Throws InputError unless they are two attempts at one weld lesson, and whatever
+    /// lessonOfAttempt() throws; the earlier comparison then stays.
     void begin(const Side& first, const Side& second);
-    /// Frees the metal and forgets both; results that are whole stay known.
+    /// Frees the metal and clears both; complete results stay stored.
     void end();
 
     bool inLesson() const override { return false; }
@@ -53,29 +52,29 @@ class AttemptComparison final : public Activity {
     void step(ActivityFrame&, int, int) override {}
     void finish(ActivityFrame&) override {}
 
-    /// Steps are still to be made.
+    /// True while steps remain to be made.
     bool welding() const { return fault_.empty() && !rows_ && lessons_[current()].has_value(); }
-    /// A frame's share of the welding; `seconds`: of the last frame. The first one of each attempt makes its
-    /// metal and its last one waits for the GPU. Read fault() for what went wrong.
+    /// Welds a frame's share; `seconds`: of the last frame. The first share of each attempt makes its metal and its
+    /// last one waits for the GPU. A failure is in fault().
     void update(gl::ShaderLibrary& shaders, double seconds, Stopwatch now);
 
-    /// 0..1 of all the welding that there was to do.
+    /// Share of all the welding that is done, 0..1.
     double progress() const;
-    /// Which of both is welded, 0 or 1.
+    /// Index of the attempt being welded, 0 or 1.
     size_t current() const { return sides_[0] ? 1 : 0; }
-    /// Why it cannot go on; empty while it can.
+    /// Reason why it cannot go on; empty while it can.
     const std::string& fault() const { return fault_; }
 
     const std::string& lesson() const { return title_; }
     const Side& side(size_t number) const { return chosen_[number]; }
-    /// What the lesson asks of the hand; null where it asks nothing.
+    /// Technique that the lesson asks for; null if none.
     const TechniqueBands* bands() const { return bands_ ? &*bands_ : nullptr; }
-    /// The result of each, once it is welded; null before.
+    /// Result of each, once it is welded; null before.
     const ComparedAttempt* attempt(size_t number) const { return sides_[number].get(); }
-    /// How both differ; nothing before both are welded.
+    /// Differences of the two; nothing before both are welded.
     const std::optional<Comparison>& comparison() const { return comparison_; }
     const std::optional<ComparisonRows>& rows() const { return rows_; }
-    /// Attempts that have been welded since the start, for tests.
+    /// Count of attempts welded since the start, for tests.
     size_t welded() const { return welded_; }
 
   private:
@@ -90,16 +89,16 @@ class AttemptComparison final : public Activity {
     std::string title_;
     std::optional<TechniqueBands> bands_;
     std::array<Side, 2> chosen_;
-    std::array<std::optional<Lesson>, 2> lessons_; ///< of those that are still to be welded
+    std::array<std::optional<Lesson>, 2> lessons_; ///< lessons of the attempts still to be welded
     std::array<Kept, 2> sides_;
-    size_t due_ = 0; ///< attempts that had to be welded for this comparison
+    size_t due_ = 0; ///< count of attempts that had to be welded for this comparison
     std::optional<Comparison> comparison_;
     std::optional<ComparisonRows> rows_;
     std::string fault_;
-    std::vector<Kept> kept_; ///< the newest last
+    std::vector<Kept> kept_; ///< newest last
     size_t welded_ = 0;
     SeekPace pace_{0.1};
-    std::unique_ptr<Trainer> trainer_; ///< of the attempt that is welded
+    std::unique_ptr<Trainer> trainer_; ///< trainer of the current attempt
 };
 
 } // namespace meltpool

@@ -10,8 +10,8 @@ namespace meltpool {
 
 namespace {
 
-constexpr double kFollowing = 0.08; // s
-constexpr double kJumps = 4e-3;     // m; the cues jump with a torch that is so far away from them
+constexpr double kFollowing = 0.08; // s, time constant of following
+constexpr double kJumps = 4e-3;     // m; the cues jump to a torch that is so far from them
 
 CueSet possibleIn(const Lesson& lesson) {
     CueSet possible;

@@ -14,10 +14,10 @@ constexpr std::array<std::string_view, 4> kNames{"none", "expert", "best", "file
 constexpr std::array<std::string_view, 2> kPaces{"place", "time"};
 constexpr std::array<std::string_view, 3> kKeys{"ghost", "ghost_pace", "ghost_file"};
 
-constexpr double kTold = 8;          // s that a fault is told
-constexpr double kWordsPeriod = 0.3; // s between two readings: faster ones cannot be read
+constexpr double kTold = 8;          // s for which a fault is shown
+constexpr double kWordsPeriod = 0.3; // s between two readings: faster ones are illegible
 
-/// A torch without arc that is far from the seam is put aside, as for cues.
+/// True for a torch without arc far from the seam, as for cues.
 bool isPutAside(const Trainer& trainer) {
     const TechniqueValues& values = trainer.technique()->now();
     return !trainer.arc().burns() && !(std::abs(values[TechniqueQuantity::height]) < kCueReach &&
@@ -104,7 +104,7 @@ void AttemptGhost::load(const Trainer& trainer) {
     }
 }
 
-/// The same file for the next attempt at the lesson is not read again.
+/// Reads the file; for the next attempt at the lesson it is in memory already.
 const TorchPath& AttemptGhost::read(const Lesson& lesson, const std::filesystem::path& file) {
     if (file != readFile_ || lesson.key != readFor_) {
         readFile_.clear();
@@ -148,7 +148,7 @@ void AttemptGhost::update(Trainer& trainer, bool test, double strength, double e
     }
     const bool shows = allowed_ && !test && wanted() != GhostChoice::none && wanted() == loaded_ && !path_.empty();
     note(trainer, shows && strength > 0 ? wanted() : GhostChoice::none);
-    if (struck_ && trainer.time() < *struck_) struck_.reset(); // the metal went back to an earlier moment
+    if (struck_ && trainer.time() < *struck_) struck_.reset(); // the metal went back to an earlier checkpoint
     if (!struck_ && trainer.arc().burns()) struck_ = trainer.time();
     if (trainer.arc().burns() && on()) used_ = on_;
     if (!on()) {

@@ -1,4 +1,4 @@
-// The lesson that a kept attempt was made in, with the attempt as its demonstration.
+// The lesson of a stored attempt, with the attempt as its demonstration.
 #pragma once
 
 #include "core/training/lesson/lesson.hpp"
@@ -8,8 +8,9 @@
 
 namespace meltpool {
 
-/// `file`: a record, a recording or, where `lesson` names one (of the catalogue, or a TOML file), also a plain torch
-/// path. Empty `lesson`: the one that the file names. Throws InputError where the file or the lesson cannot be used.
+/// Lesson for a file. `file`: a record, a recording or, if `lesson` names one (of the catalogue, or a TOML file), also
+/// a plain torch path. Empty `lesson`: the one that the file names. Throws InputError when the file or the lesson
+/// cannot be used.
 Lesson lessonOfAttempt(const std::filesystem::path& file, const std::string& lesson = {});
 
 } // namespace meltpool

@@ -37,7 +37,7 @@ std::string AttemptLog::begin(Trainer& trainer, bool goesBack) {
     moments_.begin(recordings_.writer(), goesBack);
     try {
         records_.begin(trainer);
-    } catch (const std::runtime_error& fault) { // no such place, or no room for even its head
+    } catch (const std::runtime_error& fault) { // no such place, or no room even for its head
         return fault.what();
     }
     return {};
@@ -59,7 +59,7 @@ void AttemptLog::stop(Trainer& trainer, std::string_view reason) noexcept {
         trainer.stopRecord(reason);
         records_.check(trainer);
     } catch (const std::exception&) {
-        records_.renounce(); // the metal cannot even be read any more
+        records_.renounce(); // the metal itself cannot be read any more
     }
 }
 

@@ -21,7 +21,7 @@ void AttemptReplay::begin(const Trainer& trainer, ReplayMachine machine, double 
     moments_ = std::make_unique<KeptMoments>(KeptMomentsLimits{kSpacing, kRoom});
     try {
         recorded_ = momentsOfAttempt(lesson, machine_);
-    } catch (const InputError& fault) { // the file is another than when the attempt was read
+    } catch (const InputError& fault) { // the file has changed since the attempt was read
         recorded_.refused = fault.what();
     }
     line_.begin(duration);
@@ -91,8 +91,8 @@ bool AttemptReplay::seek(Trainer& trainer, double seconds, gl::Profiler* profile
     return !line_.seeking();
 }
 
-/// To the moment from which the fewest steps lead to the target: where the metal stands now, one that was kept while it
-/// played, or one of the recording.
+/// Restores the checkpoint with the fewest steps to the target: the current metal, a checkpoint taken during playback,
+/// or one of the recording.
 void AttemptReplay::goBack(Trainer& trainer) {
     const double target = line_.target() + 0.5 * trainer.timeStep();
     const bool behind = trainer.time() > target;
@@ -117,7 +117,7 @@ void AttemptReplay::toStart(Trainer& trainer) {
     trainer.show(trainer.lesson().torch.sample(0));
 }
 
-/// Where a moment of the recording is not sound, or of another lesson after all, no more of them are used.
+/// Restores a checkpoint of the recording. If one is damaged, or of another lesson after all, no more of them are used.
 void AttemptReplay::restoreRecorded(Trainer& trainer, double target) {
     try {
         trainer.restore(*recorded_.moments->before(target));
@@ -135,8 +135,8 @@ void AttemptReplay::noteCurves(const Trainer& trainer) {
     distance_.add(trainer.time(), technique->now()[TechniqueQuantity::distance] * kMilli);
 }
 
-/// What was kept stays where the attempt goes back: it comes to the same bits there again. On the way to another moment
-/// the recording's own ones do, where it has one just before.
+/// Takes a checkpoint if due. Checkpoints stay when the attempt goes back, because it reaches the identical bits again.
+/// While seeking, those of the recording serve if it has one just before.
 void AttemptReplay::keepMoment(const Trainer& trainer) {
     if (!moments_->due(trainer.time())) return;
     const auto recorded = recorded_.moments ? recorded_.moments->timeBefore(trainer.time()) : std::nullopt;

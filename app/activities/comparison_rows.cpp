@@ -35,7 +35,7 @@ const std::string& verdictOf(const Judgement& judgement) {
     return phrase(welded ? "compared.verdict.not_judged" : "compared.verdict.no_weld");
 }
 
-/// "overlap, undercut"; "nothing" of a verdict that fails nothing.
+/// List of failures: "overlap, undercut"; "nothing" for a verdict without any.
 std::string failsOf(const Judgement& judgement) {
     if (!judgement.verdict) return kNone;
     std::string names;
@@ -47,7 +47,7 @@ std::string failsOf(const Judgement& judgement) {
     return names.empty() ? phrase("compared.fails.nothing") : names;
 }
 
-/// Of a row of words, where they differ.
+/// Second of two texts of a row if they differ.
 std::string other(const std::string& first, const std::string& second) {
     return first == second ? std::string() : phrase("compared.other");
 }

@@ -1,4 +1,4 @@
-// A quantity over the time of an attempt, at even moments, as far as it has been played.
+// A quantity over the time of an attempt, at even intervals, as far as it has been played.
 #pragma once
 
 #include <span>
@@ -8,16 +8,16 @@ namespace meltpool {
 
 class CurveTrack {
   public:
-    static constexpr size_t kPlaces = 400; ///< as many as a time line is wide
+    static constexpr size_t kPlaces = 400; ///< count of values, as many as a time line is wide
 
-    /// All unknown. `duration` s.
+    /// Sets all values to unknown. `duration`: s.
     void begin(double duration);
-    /// The value at `time`; NaN is unknown. A known value stays where the same moment is played again.
+    /// Adds the value at `time`; NaN is unknown. A known value stays when that time is played again.
     void add(double time, double value);
 
-    /// kPlaces values from the start to the end, NaN where none is known.
+    /// kPlaces values from the start to the end, NaN if unknown.
     std::span<const float> values() const { return values_; }
-    float least() const { return least_; } ///< of those known; 0 without any
+    float least() const { return least_; } ///< least known value; 0 without any
     float most() const { return most_; }
 
   private:

@@ -6,7 +6,7 @@ NextAttempt Demonstration::nextAttempt(bool forScore) const {
     return forScore || otherSettings_ ? NextAttempt::freshMetal : NextAttempt::sameMetal;
 }
 
-/// The metal is welded only where the demonstration asks for it; else the torch alone moves.
+/// Welds the metal only if the demonstration asks for it; otherwise only the torch moves.
 std::optional<int> Demonstration::due(ActivityFrame& frame) {
     if (takeMetalDue()) {
         frame.trainer->reset();

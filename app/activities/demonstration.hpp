@@ -1,5 +1,4 @@
-// The lesson's demonstration as window and headset show it: the expert's torch, played, paused, brought to another
-// time.
+// The lesson's demonstration for window and headset: the expert's torch, played, paused or moved to another time.
 #pragma once
 
 #include "app/activities/activity.hpp"
@@ -9,13 +8,14 @@
 
 namespace meltpool {
 
-/// From its start the torch welds the metal. Brought to another time it moves alone, over the metal as it was at first:
-/// metal cannot be brought to a time without all the steps before it.
+/// Demonstration of a lesson. From its start the torch welds the metal. Moved to another time it moves alone, over the
+/// metal in its start state: metal cannot jump to a time without all the steps before it.
 class Demonstration final : public Activity {
   public:
-    static constexpr double kKeyStep = 0.5; ///< s, of a stroke of an arrow key
+    static constexpr double kKeyStep = 0.5; ///< s per stroke of an arrow key
 
-    /// `duration` of the expert's path, s. `otherSettings`: the machine is set as the lesson has it, not as the person.
+    /// Starts. `duration` of the expert's path, s. `otherSettings`: the machine is set as the lesson has it, not as the
+    /// person.
     void begin(double duration, bool otherSettings = false) {
         *this = {};
         duration_ = duration;
@@ -35,26 +35,26 @@ class Demonstration final : public Activity {
     double time() const { return time_; } ///< s
     double duration() const { return duration_; }
 
-    /// Pauses, or goes on; at the end it begins again.
+    /// Pauses or continues; at the end it starts again.
     void toggle() {
         if (time_ >= duration_) return again();
         playing_ = !playing_;
     }
-    /// Brings the torch, without the metal, to a time.
+    /// Moves the torch, without the metal, to a time.
     void moveTo(double time) {
         time_ = std::clamp(time, 0.0, duration_);
         metalDue_ = metalDue_ || welds_;
         welds_ = false;
     }
-    /// From the start, with the metal.
+    /// Starts again, with the metal.
     void again() {
         time_ = 0;
         playing_ = welds_ = metalDue_ = true;
     }
 
-    /// True once after each change that wants the metal as it was at first.
+    /// Returns true once after each change that needs the metal in its start state.
     bool takeMetalDue() { return std::exchange(metalDue_, false); }
-    /// The torch has come to this time.
+    /// Sets the time that the torch has reached.
     void reach(double time) {
         time_ = std::min(time, duration_);
         if (time >= duration_) playing_ = false;

@@ -14,8 +14,8 @@ namespace meltpool {
 
 namespace {
 
-constexpr double kGood = 90; ///< points from which on a parameter is shown as good
-constexpr double kBad = 70;  ///< and below which as bad
+constexpr double kGood = 90; ///< points from which a parameter counts as good
+constexpr double kBad = 70;  ///< points below which it counts as bad
 
 std::string rounded(double value, int digits) {
     const double scale = std::pow(10.0, digits);
@@ -28,7 +28,7 @@ std::string withUnit(const std::string& number, std::string_view unit) {
     return number + " " + std::string(unit);
 }
 
-/// The sentence in which a sign is a side; empty where it means more or less of the same.
+/// Key of the sentence in which a sign means a side; empty if it means more or less.
 std::string_view sideKey(TechniqueQuantity quantity, double value) {
     switch (quantity) {
     case TechniqueQuantity::aim:
@@ -42,7 +42,7 @@ std::string_view sideKey(TechniqueQuantity quantity, double value) {
     }
 }
 
-/// "8\xC2\xB0 push", "0.4 mm to your side", "7.6 mm/s".
+/// Text of a value: "8\xC2\xB0 push", "0.4 mm to your side", "7.6 mm/s".
 std::string valueText(const QuantityInfo& info, double value) {
     const std::string number = rounded(value, info.unit == "\xC2\xB0" ? 0 : 1);
     const std::string_view key = sideKey(info.quantity, value);
@@ -50,7 +50,7 @@ std::string valueText(const QuantityInfo& info, double value) {
     return phrase(key, {{"value", withUnit(number[0] == '-' ? number.substr(1) : number, info.unit)}});
 }
 
-/// The mean, and what was asked for where there is a band.
+/// The mean, and the target if there is a band.
 std::string techniqueDetail(const ParameterScore& parameter, const TechniqueBand* band, const QuantityInfo& info) {
     const bool known = !std::isnan(parameter.mean);
     const std::string mean = known ? valueText(info, parameter.mean) : std::string();
@@ -109,7 +109,7 @@ const std::string& stateText(const VerdictItem& item) {
     return phraseOf("judgement.state", nameOf(item.state));
 }
 
-/// What is to be said where the metal tells no value.
+/// Text for a figure that the metal gives no value for.
 const std::string& unknownText(const VerdictItem& item) {
     const WeldFigure* known = findImperfection(item.name);
     const bool absent = known != nullptr && !known->isMeasured();
@@ -133,7 +133,7 @@ JudgementRow verdictRow(const VerdictItem& item) {
     return row;
 }
 
-/// Failed first, passed last.
+/// Rank of a row: failed first, passed last.
 int rankOf(VerdictState state) {
     switch (state) {
     case VerdictState::fail:
@@ -148,7 +148,7 @@ int rankOf(VerdictState state) {
     return 3;
 }
 
-/// "1 fail, 4 pass, 2 are not resolved", of the numbers by rankOf().
+/// Count of states: "1 fail, 4 pass, 2 are not resolved", in the order of rankOf().
 std::string countText(const std::array<int, 4>& counts) {
     std::string text;
     const auto add = [&](std::string_view key, int count) {
@@ -173,7 +173,7 @@ std::string verdictNote(const Verdict& verdict) {
     return text;
 }
 
-/// "Fails: overlap, undercut."; empty where nothing fails.
+/// Text of the failures: "Fails: overlap, undercut."; empty if nothing fails.
 std::string failedText(const Verdict& verdict) {
     std::string names;
     for (const VerdictItem& item : verdict.items) {
@@ -208,7 +208,7 @@ void addVerdict(JudgementRows& rows, const Judgement& judgement) {
 
 using Member = WeldStation::Value WeldStation::*;
 
-/// The figures that a trainee reads, in this order.
+/// Figures for a trainee, in this order.
 constexpr std::array<Member, 4> kFilletFigures{&WeldStation::throat, &WeldStation::leg1, &WeldStation::leg2,
                                                &WeldStation::convexity};
 constexpr std::array<Member, 3> kBeadFigures{&WeldStation::toeWidth, &WeldStation::height,
@@ -220,7 +220,7 @@ std::string panelName(Member member) {
     return capitalised(stationFigure(member).panelWords());
 }
 
-/// "4.3 mm" of a value in SI.
+/// Text of a value in SI: "4.3 mm".
 std::string figureText(const WeldFigure& figure, double value) {
     return withUnit(rounded(value / figure.inSi(), figure.digits), figure.unit);
 }
@@ -239,7 +239,7 @@ void addFigures(std::vector<JudgementRow>& rows, const WeldMeasures& weld, std::
     }
 }
 
-/// A share of the seam's length.
+/// Adds a row with a share of the seam's length.
 void addShare(std::vector<JudgementRow>& rows, const WeldMeasures& weld, Member member, std::string name) {
     if (const WeldStation::Value& share = weld.mean.*member)
         rows.push_back({std::move(name), figureText(stationFigure(member), *share), phrase("judgement.measured.share"),

@@ -1,4 +1,4 @@
-// A judgement in a welder's words: what the result panel of window and headset shows, without drawing it.
+// A judgement in a welder's words: the content of the result panel of window and headset, without drawing it.
 #pragma once
 
 #include "core/training/judging/judgement.hpp"
@@ -8,9 +8,9 @@
 
 namespace meltpool {
 
-/// How a row turned out. Its words say so too; the state only chooses a colour.
+/// Outcome of a row. Its words say so too; the state only chooses a colour.
 enum class RowState {
-    plain, ///< nothing is asked
+    plain, ///< no target
     good,
     bad,
     open ///< neither: not resolved, or estimated
@@ -18,32 +18,32 @@ enum class RowState {
 
 struct JudgementRow {
     std::string name;
-    std::string value;  ///< short, beside the name
+    std::string value;  ///< short text next to the name
     std::string detail; ///< a line below; may be empty
     RowState state = RowState::plain;
 };
 
 struct JudgementSection {
-    const char* name = ""; ///< in every language
+    const char* name = ""; ///< one name for every language
     std::string title;
     std::string note; ///< a sentence below the title; may be empty
     std::vector<JudgementRow> rows;
 };
 
 struct JudgementRows {
-    std::string score;     ///< "Score 84 of 100", or that there is none
-    std::string scoreNote; ///< why there is none, or how much of the seam was welded
-    std::string verdict;   ///< "Accepted", "Not accepted", or that there is none; by which standard stands in `judged`
-    std::string verdictNote; ///< what fails; empty where nothing does
+    std::string score;       ///< "Score 84 of 100", or a text that there is none
+    std::string scoreNote;   ///< reason for a missing score, or the welded share of the seam
+    std::string verdict;     ///< "Accepted", "Not accepted", or a text that there is none; the standard is in `judged`
+    std::string verdictNote; ///< failures; empty if there are none
     RowState verdictState = RowState::plain;
-    std::vector<std::string> corrections;           ///< sentences, dearest first
-    JudgementSection technique{"hand", {}, {}, {}}; ///< one row a parameter, in the lesson's order
+    std::vector<std::string> corrections;           ///< sentences, costliest first
+    JudgementSection technique{"hand", {}, {}, {}}; ///< one row per parameter, in the lesson's order
     JudgementSection judged{
-        "standard", {}, {}, {}}; ///< one row an imperfection: failed, not resolved, estimated, passed
-    JudgementSection measured{"measured", {}, {}, {}}; ///< the weld's figures, means along the seam
+        "standard", {}, {}, {}}; ///< one row per imperfection: failed, not resolved, estimated, passed
+    JudgementSection measured{"measured", {}, {}, {}}; ///< figures of the weld, means along the seam
 };
 
-/// `bands`: of the lesson, for what was asked; null where it has none.
+/// Rows of a judgement. `bands`: of the lesson, for the targets; null if it has none.
 JudgementRows judgementRows(const Judgement& judgement, const TechniqueBands* bands);
 
 } // namespace meltpool

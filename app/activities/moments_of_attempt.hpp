@@ -1,4 +1,4 @@
-// The moments that a kept attempt's recording holds, where they may be used here.
+// The checkpoints in a stored attempt's recording, if they can be used here.
 #pragma once
 
 #include "app/activities/replay_end.hpp"
@@ -11,13 +11,13 @@
 namespace meltpool {
 
 struct MomentsOfAttempt {
-    std::unique_ptr<RecordedMoments> moments; ///< null: there are none, or none to be used
-    std::string refused;                      ///< why those that there are may not be used, as a sentence; else empty
+    std::unique_ptr<RecordedMoments> moments; ///< null: there are none, or none to use
+    std::string refused; ///< sentence about the reason why existing checkpoints must not be used; else empty
 };
 
-/// Of the attempt that takeTorch() gave the lesson. A moment made by another program or driver, or in another version
-/// of the lesson, may have other bits than the steps to it have here: it is not used. Throws InputError where the file
-/// is no sound recording any more.
+/// Checkpoints of the attempt whose torch takeTorch() set in the lesson. One made by another program or driver, or in
+/// another version of the lesson, may have other bits than the steps to it give here: it is not used. Throws InputError
+/// when the file is no sound recording any more.
 MomentsOfAttempt momentsOfAttempt(const Lesson& lesson, const ReplayMachine& machine);
 
 } // namespace meltpool

@@ -7,9 +7,9 @@
 namespace meltpool {
 
 struct Question {
-    std::string text;                 ///< empty: nothing is asked
-    std::vector<std::string> answers; ///< empty: the person is told to wait
-    int answered = -1;                ///< number of the chosen answer; below 0 while there is none
+    std::string text;                 ///< empty: there is no question
+    std::vector<std::string> answers; ///< empty: the person has to wait
+    int answered = -1;                ///< number of the chosen answer; negative while there is none
 
     bool asked() const { return !text.empty(); }
 };

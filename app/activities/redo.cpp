@@ -10,9 +10,9 @@ namespace meltpool {
 
 namespace {
 
-constexpr double kAtPlace = 0.5e-3; // m
+constexpr double kAtPlace = 0.5e-3; // m, the nearness at which the arc counts as at a place
 
-/// A place on a circle is one after each turn.
+/// Way from b to a; on a circle a place recurs after each turn.
 double away(const Seam& seam, double a, double b) {
     const double way = a - b;
     return std::abs(seam.closed() ? way - std::round(way / seam.length()) * seam.length() : way);
@@ -56,7 +56,7 @@ bool Redo::back(Trainer& trainer) {
     if (!can()) return false;
     const auto fault = place ? firstTimeAt(*trainer.technique(), *place) : std::nullopt;
     const double wanted = fault ? *fault - kRunUp : trainer.time() - kBack;
-    const auto moment = moments_.before(std::max(wanted, *first_)); // not before its beginning
+    const auto moment = moments_.before(std::max(wanted, *first_)); // not before the first checkpoint
     if (!moment || moment->step >= trainer.steps()) return false;
     trainer.redo(*moment);
     moments_.branch(moment->step);

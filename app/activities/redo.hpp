@@ -1,4 +1,4 @@
-// The way back into the running attempt: an earlier moment of its metal, from which it is welded again as practice.
+// The way back into the running attempt: an earlier checkpoint of its metal, from which it is welded again as practice.
 // The person stays at that Attempt, which begins from a checkpoint: see Attempt::beginFromCheckpoint().
 #pragma once
 
@@ -13,45 +13,45 @@ namespace meltpool {
 
 class Redo {
   public:
-    /// s of the metal's time that one goes back where no fault was chosen.
+    /// s of the metal's time to go back if no fault was chosen.
     static constexpr double kBack = 3;
-    /// s that one comes to stand before a fault, to get going again.
+    /// s before a fault at which the attempt resumes, to get going again.
     static constexpr double kRunUp = 1;
 
-    /// Another attempt begins, or none: nothing is kept. Some of its moments go into `recording`, see CheckpointPace;
-    /// null: there is none. `goes`: false where the attempt cannot go back.
+    /// Starts another attempt, or none: drops all checkpoints. Some of the new ones go into `recording`, see
+    /// CheckpointPace; null: there is none. `goes`: false if the attempt cannot go back.
     void begin(std::shared_ptr<RecordingWriter> recording = {}, bool goes = true);
-    /// After the steps of a frame: begins to keep this moment where it is time to, and goes on with what is under way.
-    /// `speed`: of making steps alone, over the clock. Never waits, and allocates nothing.
+    /// Begins a checkpoint when one is due and continues one in progress; call it after the steps of a frame. `speed`:
+    /// of making steps alone, over the clock. Never waits, and allocates nothing.
     void update(const Trainer& trainer, double speed);
 
     /// Chooses the fault at this place (m along the seam) to go back before.
     void choose(double place) { place_ = place; }
-    /// There is an earlier moment to go back to.
+    /// True if there is a checkpoint to go back to.
     bool can() { return goes_ && first_ && moments_.count() > 0; }
-    /// The attempt may go back at all.
+    /// True if the attempt may go back at all.
     bool goes() const { return goes_; }
-    /// Takes the metal back to before the chosen fault, or by kBack, and notes it in the record; false where nothing so
-    /// early is kept. Waits for the GPU.
+    /// Takes the metal back to before the chosen fault, or by kBack, and notes it in the record; false if no checkpoint
+    /// is so early. Waits for the GPU.
     bool back(Trainer& trainer);
 
-    /// How often this attempt went back: it is practice from the first time on, and its score does not count.
+    /// Count of times this attempt went back: it is practice from the first time on, and its score does not count.
     size_t redone() const { return redone_; }
-    /// Why there is no way back, as a sentence; empty while there is.
+    /// Sentence about the reason why there is no way back; empty while there is one.
     std::string fault() { return moments_.fault(); }
-    /// Memory that it takes, bytes.
+    /// Memory of the checkpoints, bytes.
     size_t bytes() { return moments_.bytes(); }
 
   private:
     KeptMoments moments_;
     bool goes_ = true;
     std::optional<double> place_;
-    std::optional<double> first_; ///< s, of the first moment
+    std::optional<double> first_; ///< s, time of the first checkpoint
     size_t redone_ = 0;
 };
 
-/// s of the metal's time at which the arc first came to within half a millimetre of this place (m along the seam), or
-/// nothing where it never burned there.
+/// s of the metal's time at which the arc first came within half a millimetre of this place (m along the seam), or
+/// nothing if it never burned there.
 std::optional<double> firstTimeAt(const Technique& technique, double place);
 
 } // namespace meltpool

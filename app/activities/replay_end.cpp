@@ -8,7 +8,7 @@ namespace meltpool {
 
 namespace {
 
-/// "version 0.1.0 (1a2b3c4) on GeForce RTX 3060"; what a record does not tell is said to be unknown.
+/// Text of a machine: "version 0.1.0 (1a2b3c4) on GeForce RTX 3060"; parts missing in a record are called unknown.
 std::string machineText(const std::string& program, const std::string& driver) {
     if (program.empty() && driver.empty()) return phrase("attempt.machine.unknown");
     if (program.empty()) return phrase("attempt.machine.driver", {{"driver", driver}});

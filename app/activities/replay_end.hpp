@@ -1,4 +1,4 @@
-// Whether a replay came to the bits of its recording, and what is told of it.
+// The result of comparing a replay with the bits of its recording, and its sentences.
 #pragma once
 
 #include "core/training/lesson/recorded_attempt.hpp"
@@ -14,16 +14,17 @@ struct ReplayEnd {
     std::string text; ///< a sentence or two
 };
 
-/// What plays: version and commit of the program, name of the graphics driver.
+/// Machine that plays: version and commit of the program, name of the graphics driver.
 struct ReplayMachine {
     std::string program;
     std::string driver;
 };
 
-/// The one that runs; its graphics must be connected.
+/// Returns the running machine; its graphics must be connected.
 ReplayMachine thisMachine();
 
-/// `attempt`: null for a plain torch path. `steps`, `stateHash`: where the replay ended.
+/// Compares the end of a replay. `attempt`: null for a plain torch path. `steps`, `stateHash`: of the replay's last
+/// step.
 ReplayEnd replayEnd(const RecordedAttempt* attempt, size_t steps, std::uint64_t stateHash,
                     const ReplayMachine& machine);
 

@@ -14,20 +14,20 @@ namespace {
 
 constexpr int kFewestCells = 16;
 constexpr int kFewestParticles = 512;
-constexpr float kCoarsest = 2; ///< mm, spacing
+constexpr float kCoarsest = 2; ///< mm, coarsest spacing
 
 std::string percent(double ratio) {
     return std::to_string(static_cast<int>(std::lround(100 * ratio))) + " %";
 }
 
-/// The next coarser spacing of 0.5, 0.75, 1, 1.5, 2 mm.
+/// Next coarser spacing of 0.5, 0.75, 1, 1.5, 2 mm.
 float coarser(float spacing) {
     for (const float step : {0.5F, 0.75F, 1.0F, 1.5F, kCoarsest})
         if (step > spacing * 1.2F) return step;
     return spacing;
 }
 
-/// "a particle spacing of 1.5 mm", with the sizes of the workpiece that coarser layers change.
+/// Label "a particle spacing of 1.5 mm", with the sizes of the workpiece that coarser layers change.
 std::string spacingLabel(WorkpieceParameters workpiece, float spacing) {
     workpiece.spacingMm = spacing;
     std::string changed;
@@ -70,7 +70,7 @@ void SpeedTrial::begin(const Lesson& lesson) {
     waited_ = real_ = simulated_ = 0;
 }
 
-/// Once it asks how to go on, the lesson is what it is before an attempt. A result that was open stays open meanwhile.
+/// While it asks how to go on, the lesson is in the state before an attempt. An open result stays open.
 Allowed SpeedTrial::allowed() const {
     const bool asks = !measuring();
     return {.ownTorch = true, .values = asks, .help = asks, .judging = true, .notes = asks};

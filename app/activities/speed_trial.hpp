@@ -1,5 +1,5 @@
-// Measures, before an attempt for score, whether this machine keeps the metal at the person's time, and with which
-// other values it would.
+// The measurement, before an attempt for score, of this machine's speed: does it keep the metal at the person's time,
+// and with which other values would it?
 #pragma once
 
 #include "app/activities/activity.hpp"
@@ -12,15 +12,15 @@
 
 namespace meltpool {
 
-/// Values that make a lesson cheaper, and what they were measured to give.
+/// Values that make a lesson cheaper, and their measured speed.
 struct SpeedOffer {
-    std::string label; ///< "particle spacing 1.5 mm"; empty: the lesson as it is set
+    std::string label; ///< "particle spacing 1.5 mm"; empty: the lesson with its current values
     std::vector<std::pair<std::string, std::string>> values;
     double ratio = 0; ///< simulated over real time
 };
 
-/// The trial runs the demonstration with everything that the program does in a frame, for a second or two: first the
-/// lesson as it is set, and where that is too slow each offer in turn.
+/// Speed trial. It runs the demonstration with all the program's work of a frame, for a second or two: first the lesson
+/// with its current values, and if that is too slow each offer in turn.
 class SpeedTrial final : public Activity {
   public:
     static constexpr double kSettling = 0.5;   ///< s of real time at the start that do not count
@@ -28,9 +28,9 @@ class SpeedTrial final : public Activity {
 
     enum class Verdict { more, another, fastEnough, tooSlow };
 
-    /// While it measures, nothing that a person does reaches the metal.
+    /// Blocks all input to the metal while it measures.
     Allowed allowed() const override;
-    /// One that was given up, by stop(), can be begun again.
+    /// A trial given up by stop() can begin again.
     NextAttempt nextAttempt(bool) const override {
         return offers_.empty() ? NextAttempt::freshMetal : NextAttempt::none;
     }
@@ -40,38 +40,38 @@ class SpeedTrial final : public Activity {
     void step(ActivityFrame&, int, int) override {}
     void finish(ActivityFrame&) override {}
 
-    /// Begins with the lesson as it is set.
+    /// Begins with the lesson's current values.
     void begin(const Lesson& lesson);
-    /// The metal of current() was made: the demonstration is run from where it begins to heat.
+    /// Starts an offer whose metal was made: runs the demonstration from where it begins to heat.
     void beginOffer(const Lesson& lesson) { time_ = lesson.torch.firstPull().value_or(0); }
-    /// Verdict of the frame that was counted last, once; `more` where none was.
+    /// Verdict of the last counted frame, once; `more` without one.
     Verdict takeVerdict() { return std::exchange(verdict_, Verdict::more); }
     void stop() { offers_.clear(); }
-    /// Offers are still to be measured; else it asks, or was stopped.
+    /// True while offers remain to be measured; else it asks, or was stopped.
     bool measuring() const { return current_ < offers_.size(); }
-    /// What is to be measured now.
+    /// Offer to measure now.
     const SpeedOffer& current() const { return offers_[current_]; }
 
-    /// Counts a frame. `another`: current() is another offer now, so the metal must be made anew.
+    /// Counts a frame. `another`: current() is another offer now, so its metal must be made.
     Verdict count(double real, double simulated);
 
-    /// Drops the current offer, which the lesson cannot be made with; answers as count().
+    /// Drops the current offer, which does not fit the lesson; returns as count() does.
     Verdict skip();
 
-    /// What was found, as a question: an answer for each offer in their order, then "practise", then "start menu".
+    /// Question with the result: an answer per offer in their order, then "practise", then "start menu".
     Question question() const;
-    /// Those of the answers.
+    /// Offers of the answers.
     const std::vector<SpeedOffer>& offers() const { return offers_; }
 
   private:
-    std::vector<SpeedOffer> offers_; ///< the first is the lesson as it is set
+    std::vector<SpeedOffer> offers_; ///< the first is the lesson with its current values
     size_t current_ = 0;
     double waited_ = 0, real_ = 0, simulated_ = 0;
-    double time_ = 0; ///< s in the demonstration
+    double time_ = 0; ///< s into the demonstration
     Verdict verdict_ = Verdict::more;
 };
 
-/// What could make this lesson cheaper: fewer particles, a coarser surface, both.
+/// Values that make this lesson cheaper: fewer particles, a coarser surface, both.
 std::vector<SpeedOffer> cheaperValues(const Lesson& lesson);
 
 } // namespace meltpool

@@ -1,4 +1,4 @@
-// Turns the real time of frames into whole simulation steps, so that the metal's time is the hand's time.
+// The conversion of the frames' real time into whole simulation steps, so that the metal's time is the hand's time.
 #pragma once
 
 #include <algorithm>
@@ -7,21 +7,22 @@
 
 namespace meltpool {
 
-/// Steps have a fixed length whatever the frame rate, and follow the clock as long as the machine can: a frame takes as
-/// many as its time is worth, unless they would keep it busy for longer than kBusy. Time beyond that is dropped, so
-/// that a slow machine simulates more slowly instead of taking ever longer frames; speed() tells.
+/// Clock of the steps. Steps have a fixed length at any frame rate, and follow the clock as long as the machine can: a
+/// frame makes the steps for its time, up to kBusy of work. Time beyond that is dropped, so that a slow machine
+/// simulates more slowly instead of making ever longer frames; see speed().
 class StepClock {
   public:
-    static constexpr double kBusy = 0.08;    ///< s that a frame may spend on steps
-    static constexpr double kBeside = 0.045; ///< s of steps beside a picture, or as long as that takes if it is longer
-    static constexpr double kLongest = 0.25; ///< s of real time that a frame may make good
-    static constexpr double kLongestGap = 0.1; ///< s of the metal that may pass between two places of the hand
-    static constexpr int kFewest = 1;          ///< steps that a frame may take however slow they are
+    static constexpr double kBusy = 0.08; ///< s that a frame may spend on steps
+    static constexpr double kBeside =
+        0.045; ///< s of steps in parallel with a picture, or as long as that takes if it is longer
+    static constexpr double kLongest = 0.25;   ///< s of real time that a frame may catch up on
+    static constexpr double kLongestGap = 0.1; ///< s of the metal's time between two samples of the hand at most
+    static constexpr int kFewest = 1;          ///< least count of steps in a frame, however slow they are
 
-    /// Steps due after another `elapsed` seconds of real time with steps of `step` seconds. The first call after a
-    /// restart only starts the clock. `beside`: s that a frame takes besides steps, which are made meanwhile; then
-    /// steps that lag behind the clock fill that time or kBeside, so that pictures follow each other quickly and the
-    /// steps' thread does not rest. 0: the frame waits for its steps.
+    /// Returns the steps due after another `elapsed` seconds of real time with steps of `step` seconds. The first call
+    /// after a restart only starts the clock. `beside`: s that a frame takes apart from steps, which run in parallel;
+    /// then late steps fill that time or kBeside, so that pictures follow each other quickly and the steps' thread does
+    /// not idle. 0: the frame waits for its steps.
     int due(double elapsed, double step, double beside = 0) {
         dropped_ = false;
         busy_ = 0;
@@ -37,11 +38,11 @@ class StepClock {
         return steps;
     }
 
-    /// The last frame took longer than can be made good, and much of the metal's time passed in it: what the hand did
-    /// meanwhile is not known. Metal that is far slower than the clock passes little time in any frame.
+    /// True if the last frame took longer than the clock can catch up on, and much of the metal's time passed in it:
+    /// the hand's motion in that time is unknown. Metal far slower than the clock passes little time in any frame.
     bool dropped() const { return dropped_; }
 
-    /// What `steps` steps kept the frame waiting for, s.
+    /// Takes the time that `steps` steps kept the frame waiting, s.
     void took(double seconds, int steps) {
         if (steps <= 0) return;
         busy_ = seconds;
@@ -49,9 +50,9 @@ class StepClock {
         cost_ += (each - cost_) * (cost_ <= 0 ? 1.0 : each > cost_ ? kDearer : kCheaper);
     }
 
-    /// What the steps of the newest frame kept it waiting for, s.
+    /// Time that the newest frame waited for its steps, s.
     double busy() const { return busy_; }
-    /// The same as far as steps beside a picture that takes no longer than kBeside would, s.
+    /// Part of busy() for steps in parallel with a picture no longer than kBeside, s.
     double busyBeside() const { return cost_ > 0 ? std::min(busy_, std::ceil(kBeside / cost_) * cost_) : busy_; }
 
     /// Drops the time that has not been simulated yet, after a pause.
@@ -60,21 +61,21 @@ class StepClock {
         busy_ = 0;
         started_ = false;
     }
-    /// As at first: what was measured is forgotten too.
+    /// Clears everything, also the measurements.
     void reset() { *this = {}; }
 
     /// Simulated over real time, smoothed over about a second; 1 when the machine keeps up.
     double speed() const { return real_ > 0 ? simulated_ / real_ : 1; }
 
-    /// Simulated over real time while nothing but steps of `step` seconds is made; infinite while none was measured. On
-    /// a card it counts what the processor does for them.
+    /// Simulated over real time while only steps of `step` seconds are made; infinite before a measurement. On a card
+    /// it counts the processor's part of a step.
     double speedOfSteps(double step) const {
         return cost_ > 0 ? step / cost_ : std::numeric_limits<double>::infinity();
     }
 
   private:
-    /// Shares of a frame's cost that are believed at once. An arc that is struck makes steps several times as dear:
-    /// learned slowly, the next frames would take so long that what the hand does in them is not known.
+    /// Shares by which a new cost replaces the old. A struck arc makes steps several times as costly: with a small
+    /// share the next frames would be so long that the hand's motion in them is unknown.
     static constexpr double kDearer = 0.6;
     static constexpr double kCheaper = 0.2;
 
@@ -95,7 +96,7 @@ class StepClock {
     double owed_ = 0;
     double real_ = 0;
     double simulated_ = 0;
-    double cost_ = 0; ///< s of a step
+    double cost_ = 0; ///< s per step
     double busy_ = 0; ///< s of the newest frame's steps
     bool started_ = false;
     bool dropped_ = false;

@@ -1,4 +1,4 @@
-// The time of an attempt that is played again: where it stands, how fast it goes, and where it is to be brought to.
+// The time of a replayed attempt: its position, its speed, and a requested position.
 #pragma once
 
 #include <algorithm>
@@ -7,13 +7,14 @@
 
 namespace meltpool {
 
-/// Only tells what is wanted and what was reached; who makes the steps tells it of them. All times s of the metal's.
+/// Time line of a replay. It holds the requests and the reached time; the maker of the steps reports to it. All times
+/// are s of the metal's.
 class ReplayTimeline {
   public:
     static constexpr double kSlowest = 0.1, kFastest = 4; ///< attempt's time over real time
-    static constexpr double kKeyStep = 1;                 ///< s, of a stroke of an arrow key
+    static constexpr double kKeyStep = 1;                 ///< s per stroke of an arrow key
 
-    /// From the start, playing at the attempt's own speed. `duration` s.
+    /// Starts, playing at the attempt's own speed. `duration`: s.
     void begin(double duration) {
         *this = {};
         duration_ = duration;
@@ -21,15 +22,15 @@ class ReplayTimeline {
     }
     void end() { *this = {}; }
 
-    /// Steps follow the clock; while it seeks, as soon as the place is reached.
+    /// True if steps follow the clock; during a seek, once it ends.
     bool playing() const { return playing_; }
     double time() const { return time_; }
     double duration() const { return duration_; }
     double speed() const { return speed_; }
-    /// The last step has been made.
+    /// True once the last step was made.
     bool over() const { return over_; }
 
-    /// Pauses, or goes on; at the end it begins again.
+    /// Pauses or continues; at the end it starts again.
     void toggle() {
         const bool again = over_ && !seeking();
         if (again) seek(0);
@@ -37,17 +38,17 @@ class ReplayTimeline {
     }
     void setSpeed(double speed) { speed_ = std::clamp(speed, kSlowest, kFastest); }
 
-    /// Asks for another moment.
+    /// Requests another time.
     void seek(double time) {
         target_ = std::clamp(time, 0.0, duration_);
         fresh_ = true;
     }
     bool seeking() const { return target_.has_value(); }
-    /// Where it is to be brought to; time() where nothing is asked for.
+    /// Requested time; time() without a request.
     double target() const { return target_.value_or(time_); }
-    /// True once after each seek(): whoever makes the steps decides where they begin.
+    /// Returns true once after each seek(), for the maker of the steps to choose their start.
     bool takeFresh() { return std::exchange(fresh_, false); }
-    /// The steps to the target begin at this time.
+    /// Starts the steps to the target at this time.
     void stepFrom(double time) {
         from_ = time_ = time;
         over_ = false;
@@ -58,8 +59,8 @@ class ReplayTimeline {
         return way > 0 ? std::clamp((time_ - from_) / way, 0.0, 1.0) : 1;
     }
 
-    /// A step of `step` s has come to `time`; `last`: the attempt has no more. The target is reached by the step that
-    /// is nearest to it.
+    /// Takes a step of `step` s that reached `time`; `last`: the attempt has no more. The target counts as reached at
+    /// the step nearest to it.
     void reach(double time, double step, bool last) {
         time_ = std::min(time, duration_);
         over_ = last;

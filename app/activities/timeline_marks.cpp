@@ -22,7 +22,7 @@ bool spoils(const RecordedEvent& event) {
     return event.name == "samples" || (event.name == "torch" && event.value == "lost");
 }
 
-/// The steps that the attempt kept each time when it went back; an end that was given up later takes those in it along.
+/// Steps at which the attempt resumed after each redo; a later redo from an earlier step removes those after it.
 std::vector<size_t> redoneAt(const RecordedAttempt& attempt) {
     std::vector<size_t> steps;
     for (const RecordedEvent& note : attempt.notes) {
@@ -35,7 +35,7 @@ std::vector<size_t> redoneAt(const RecordedAttempt& attempt) {
     return steps;
 }
 
-/// "undercut" -> "Undercut fails: 0.8 mm at 23 mm of the seam".
+/// Sentence of a failure: "undercut" -> "Undercut fails: 0.8 mm at 23 mm of the seam".
 std::string failText(const VerdictItem& item) {
     const std::string text = capitalised(imperfectionName(item.name));
     if (!item.value) return phrase("timeline.fails", {{"imperfection", text}});

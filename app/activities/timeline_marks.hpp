@@ -1,4 +1,4 @@
-// What happened in an attempt, as marks on its time line.
+// The events of an attempt, as marks on its time line.
 #pragma once
 
 #include "core/training/judging/judgement.hpp"
@@ -12,16 +12,16 @@ namespace meltpool {
 struct TimelineMark {
     double time = 0; ///< s
     std::string text;
-    bool fault = false; ///< of the hand, the weld or the recording
+    bool fault = false; ///< fault of the hand, the weld or the recording
     bool redo = false;  ///< the attempt went back to here and on to another end
 };
 
-/// The changes of values, the events and the redos of an attempt of `duration` s, in the order of their times. Where
-/// the file does not tell a moment its steps are taken to be of even length.
+/// Marks of the value changes, events and redos of an attempt of `duration` s, in order of time. If the file has no
+/// times, its steps count as equally long.
 std::vector<TimelineMark> timelineMarks(const RecordedAttempt& attempt, double duration);
 
-/// What is at fault of an attempt that was judged, where it has a place on the seam: what to correct, at its worst, and
-/// what the verdict fails; each at the moment when the arc first burned there.
+/// Marks of a judged attempt's faults that have a place on the seam: corrections at their worst place, and failures of
+/// the verdict; each at the time when the arc first burned there.
 std::vector<TimelineMark> faultMarks(const Technique& technique, const Judgement& judgement);
 
 } // namespace meltpool

@@ -7,7 +7,7 @@ namespace meltpool {
 std::filesystem::path bestKept(const std::filesystem::path& folder, const std::string& lesson) {
     std::filesystem::path best;
     int most = -1;
-    for (const KeptAttempt& kept : keptRecordings(folder)) { // the newest first
+    for (const KeptAttempt& kept : keptRecordings(folder)) { // newest first
         if (kept.lesson != lesson || kept.practice || !kept.score || *kept.score <= most) continue;
         most = *kept.score;
         best = kept.file;

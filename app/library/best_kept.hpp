@@ -1,4 +1,4 @@
-// A person's best attempt among those that are kept.
+// A person's best attempt among the stored recordings.
 #pragma once
 
 #include <filesystem>
@@ -6,8 +6,8 @@
 
 namespace meltpool {
 
-/// The recording of a folder with the highest score at the lesson of this key, the newest of equal ones; an empty path
-/// where none has a score that counts. Reads heads and ends only.
+/// Recording in a folder with the highest score at the lesson of this key, the newest of equal ones; an empty path if
+/// none has a score that counts. Reads heads and ends only.
 std::filesystem::path bestKept(const std::filesystem::path& folder, const std::string& lesson);
 
 } // namespace meltpool

@@ -21,7 +21,7 @@ namespace {
 constexpr NumberRange kScore{0, 100};
 constexpr NumberRange kZoom{1, 10};
 constexpr NumberRange kRealTime{0, 1};
-constexpr size_t kMostBytes = 2000; ///< of a fault's sentence
+constexpr size_t kMostBytes = 2000; ///< bytes of a fault's sentence
 constexpr size_t kMostChosen = 200; ///< bytes of the chosen settings
 constexpr size_t kMostGhost = 20;   ///< bytes of a ghost's name
 
@@ -37,7 +37,7 @@ CueSet readCues(TomlTable& table) {
     return cues;
 }
 
-/// `practised`: good attempts by quantity.
+/// Reads `practised`: good attempts by quantity.
 CueSkill readSkill(TomlTable& table) {
     CueSkill skill;
     table.allow("practised");
@@ -79,7 +79,7 @@ BestScore readBest(TomlTable& table) {
     return best;
 }
 
-/// A text of TOML, as which a key may stand too.
+/// Text in TOML quotes, also usable as a key.
 std::string tomlText(const std::string& name) {
     std::string quoted = "\"";
     for (const char c : name) {
@@ -108,7 +108,7 @@ CueSkill skillIn(const std::map<std::string, CueSkill, std::less<>>& skills, std
     return found == skills.end() ? CueSkill() : found->second;
 }
 
-/// The attempts from `before` to `after` on top of `skill`, which counts those of another program too.
+/// Adds the attempts from `before` to `after` to `skill`, which counts those of another program too.
 CueSkill practisedOn(CueSkill skill, const CueSkill& before, const CueSkill& after) {
     for (const CuedQuantity& cued : cuedQuantities()) {
         const int more = after.good(cued.quantity) - before.good(cued.quantity);
@@ -148,7 +148,8 @@ std::string bestScoreText(const BestScore& best) {
 
 BestScores::BestScores(fs::path file) : file_(std::move(file)), content_(load(false)), written_(content_.skills) {}
 
-/// A missing file holds nothing; a faulty one is kept aside and its faults are noted, `again` only where they are new.
+/// Reads the file. A missing one is empty; a faulty one is moved aside and its faults are noted, with `again` only the
+/// new ones.
 BestScores::Content BestScores::load(bool again) {
     std::error_code unreadable;
     if (!fs::exists(file_, unreadable)) return {};
@@ -156,7 +157,7 @@ BestScores::Content BestScores::load(bool again) {
     Content content;
     bool whole = false;
     try {
-        // Opening a pipe would wait for its writer.
+        // A pipe would block until its writer opens it.
         if (!isPlainFile(file_)) throw InputError(file_, 0, "is no file of best scores; expected a text file");
         content = read();
     } catch (const std::exception& fault) {
@@ -202,7 +203,7 @@ bool BestScores::offer(const std::string& lesson, const BestScore& score) {
     if (const BestScore* known = find(lesson); known != nullptr && known->score >= score.score) return false;
     content_.best[lesson] = score;
     save();
-    return content_.best[lesson].score <= score.score; // another program may have kept a better one
+    return content_.best[lesson].score <= score.score; // another program may have written a better one
 }
 
 CueSkill BestScores::skill(std::string_view lesson) const {
@@ -236,7 +237,7 @@ void BestScores::save() {
     std::string text = "# Best scores of the Meltpool trainer; written after an attempt that beats the one before.\n";
     for (const auto& [lesson, best] : content_.best)
         text += tableOf(lesson, best, skill(lesson));
-    written_ = others.skills; // counts are on top of these until they are in the file
+    written_ = others.skills; // new counts add to these until they are in the file
     writeFile(file_, text);
     written_ = content_.skills;
 }

@@ -14,13 +14,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The local date that is shown keeps no order: zones and summer time change it.
+/// File with its moment: the local date that is shown gives no order, because zones and summer time change it.
 struct Dated {
     Moment began;
     KeptAttempt attempt;
 };
 
-/// "2026-11-23T08:10:43+0100" for people.
+/// Date for people: "2026-11-23T08:10:43+0100" without the T, seconds and zone.
 std::string whenText(std::string date) {
     std::replace(date.begin(), date.end(), 'T', ' ');
     return date.substr(0, 16);

@@ -1,4 +1,4 @@
-// The lessons as the home page lists them.
+// The list of lessons for the home page.
 #pragma once
 
 #include "core/training/lesson/lesson_folders.hpp"
@@ -13,24 +13,24 @@ struct CataloguedLesson {
     std::string key;
     std::filesystem::path file;
     LessonOrigin origin = LessonOrigin::shipped;
-    bool taken = false;            ///< the key means another lesson: this one cannot be used until it is renamed
-    std::string title;             ///< the key where the file is at fault
-    std::string text;              ///< what the trainee is asked to do
-    std::string fault;             ///< why the lesson cannot be used, a sentence; empty: it can
-    std::string next;              ///< key of the lesson that follows; empty: none
+    bool taken = false;            ///< another lesson has this key: this one cannot be used until it is renamed
+    std::string title;             ///< the key if the file is faulty
+    std::string text;              ///< task for the trainee
+    std::string fault;             ///< sentence about the reason why the lesson cannot be used; empty: it can
+    std::string next;              ///< key of the next lesson; empty: none
     int level = 0;                 ///< see Lesson::level
     std::filesystem::path picture; ///< need not exist
 };
 
-/// Every lesson of the folders, group by group: in each the easiest first, those of a level by name, those without a
-/// level and faulty ones last. `faults` gets a sentence for each folder that cannot be read. Throws InputError where
-/// the shipped lessons cannot be read.
+/// Lessons of the folders, group by group: in each the easiest first, those of a level by name, those without a level
+/// and faulty ones last. `faults` gets a sentence for each folder that cannot be read. Throws InputError when the
+/// shipped lessons cannot be read.
 std::vector<CataloguedLesson> readCatalogue(const LessonFolders& folders, std::vector<std::string>& faults);
 
-/// The fault as a list shows it: the lesson's own folder is left out.
+/// Fault for a list: without the lesson's own folder.
 std::string shortFault(const CataloguedLesson& lesson);
 
-/// "Level 2 of 5"; empty for a lesson without a level.
+/// Text "Level 2 of 5"; empty for a lesson without a level.
 std::string levelText(int level);
 
 } // namespace meltpool

@@ -10,8 +10,8 @@ namespace meltpool {
 
 class LessonPictures {
   public:
-    /// The picture's texture, loaded when it is first asked for; 0 where there is none or it cannot be read. Its
-    /// colours are sRGB-encoded, as Dear ImGui draws them. Needs a current OpenGL context.
+    /// Texture of a picture, loaded on first use; 0 if there is none or it cannot be read. Its colours are
+    /// sRGB-encoded, as Dear ImGui draws them. Needs a current OpenGL context.
     GLuint texture(const std::filesystem::path& file);
 
   private:

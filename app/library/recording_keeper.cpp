@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Lessons of the catalogue are found by their key; others by their file.
+/// File of a lesson outside the catalogue; those inside are found by their key.
 std::string fileOutsideCatalogue(const Lesson& lesson) {
     std::error_code failure;
     const bool shipped = fs::equivalent(lesson.file.parent_path(), resourceFolder() / "data" / "lessons", failure);

@@ -1,4 +1,4 @@
-// Keeps a recording of each attempt of a session, without being asked, and tells where it cannot.
+// The keeper of a session's recordings: one of each attempt, made automatically, and a fault if it cannot be made.
 #pragma once
 
 #include "app/library/recordings_limit.hpp"
@@ -20,47 +20,47 @@ class RecordingKeeper {
   public:
     RecordingParameters parameters;
 
-    /// From the next attempt on each has a recording in `folder`, which is made where it is not there. `program` and
-    /// `driver` stand in each.
+    /// Gives each attempt from the next one on a recording in `folder`, which is created if missing. `program` and
+    /// `driver` are written to each.
     void use(const std::filesystem::path& folder, std::string program, std::string driver);
 
-    /// An attempt begins. What prevents its recording stands in fault(): the attempt goes on without. Makes room within
-    /// the limit.
+    /// Begins an attempt. An obstacle to its recording is in fault(): the attempt goes on without one. Makes room
+    /// within the limit.
     void begin(Trainer& trainer, int attempt);
-    /// Score (0..100) and verdict of the attempt as far as it was judged, for the end of its recording.
+    /// Score (0..100) and verdict of the attempt so far, for the end of its recording.
     void judged(std::optional<double> score, std::string verdict);
-    /// The attempt is over: its trainer has ended the recording, or is lost. Does not wait for the disk.
+    /// Ends the attempt: its trainer has ended the recording, or is gone. Does not wait for the disk.
     void close();
 
-    /// Where head and hands are before the next step. Never waits, allocates nothing; nothing without a recording.
+    /// Records head and hands before the next step. Never waits, allocates nothing; no-op without a recording.
     void person(const RecordingPerson& person) {
         if (current_) current_->person(person);
     }
 
-    /// Looks after each frame whether something failed. Allocates nothing while nothing does.
+    /// Checks for failures; call it after each frame. Allocates nothing while nothing fails.
     void update();
-    /// What the person must be told while it lasts: this attempt, or the end of the one before, is not recorded. A
-    /// sentence; empty while all is well.
+    /// Sentence for the person while it holds: this attempt, or the end of the one before, is not recorded. Empty
+    /// without a fault.
     const std::string& fault() const { return fault_; }
-    /// What is told once, as a sentence: that recordings were removed, or soon are; empty: nothing.
+    /// Sentence to show once: recordings were removed, or soon are; empty: none.
     std::string takeNotice() { return std::exchange(notice_, {}); }
 
     /// Waits until everything is on the disk.
     void finish();
-    /// The fault of the first attempt that is not recorded to its end; empty: all are.
+    /// Fault of the first attempt that is not recorded to its end; empty: all are.
     const std::string& lost() const { return lost_; }
 
-    /// The recording of the running attempt; null: it has none.
+    /// Recording of the running attempt; null: it has none.
     RecordingWriter* current() { return current_.get(); }
     const std::shared_ptr<RecordingWriter>& writer() const { return current_; }
-    /// Of the newest attempt that has one.
+    /// Recording of the newest attempt that has one.
     const std::filesystem::path& file() const { return newest_; }
 
   private:
-    /// Of an attempt that is over, until everything is on the disk.
+    /// Recording of an ended attempt, until everything is on the disk.
     struct Closing {
         std::shared_ptr<RecordingWriter> writer;
-        bool told = false; ///< its fault, while the attempt ran
+        bool told = false; ///< true: its fault was reported while the attempt ran
     };
 
     void open(Trainer& trainer, int attempt);
@@ -70,18 +70,19 @@ class RecordingKeeper {
     std::filesystem::path folder_;
     std::string program_, driver_;
     std::filesystem::path newest_;
-    std::vector<std::filesystem::path> made_; ///< in this run of the program: the limit never removes these
+    std::vector<std::filesystem::path>
+        made_; ///< recordings made in this run of the program: the limit never removes these
     std::shared_ptr<RecordingWriter> current_;
     std::vector<Closing> closing_;
-    bool told_ = false; ///< the fault of current_
+    bool told_ = false; ///< true: the fault of current_ was reported
     bool nearLimitTold_ = false;
     std::string fault_;
     std::string notice_;
     std::string lost_;
 };
 
-/// The desk's camera as the person's head. `turn`: from the workpiece's frame to the room's. `unit`: m of a unit of the
-/// view's world.
+/// Head of the person at the desk, from the camera. `turn`: from the workpiece's frame to the room's. `unit`: m of a
+/// unit of the view's world.
 RecordingPerson deskPerson(const View& view, const glm::mat3& turn, float unit, std::uint64_t steps);
 
 } // namespace meltpool

@@ -14,8 +14,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double kNear = 0.9;         ///< of the limit, from which on it is told
-constexpr size_t kLongestLesson = 60; ///< characters of its key in a name
+constexpr double kNear = 0.9;         ///< share of the limit from which on it is reported
+constexpr size_t kLongestLesson = 60; ///< characters of a lesson's key in a name
 constexpr std::string_view kDate = "0000-00-00_00-00-00_";
 
 struct File {
@@ -28,7 +28,7 @@ bool isDigit(char c) {
     return c >= '0' && c <= '9';
 }
 
-/// recordingName() has made this name.
+/// True if recordingName() has made this name.
 bool isOwnName(const fs::path& file) {
     const std::string name = file.filename().string();
     if (!isRecording(file) || name.size() <= kDate.size()) return false;
@@ -48,7 +48,7 @@ std::vector<File> ownFiles(const fs::path& folder) {
     return files;
 }
 
-/// Those that may be removed, the oldest first. Reads the head of each.
+/// Files that may be removed, oldest first. Reads the head of each.
 std::vector<File> removable(std::vector<File> files, std::span<const fs::path> spared) {
     std::erase_if(files,
                   [&](const File& file) { return std::find(spared.begin(), spared.end(), file.path) != spared.end(); });
@@ -95,7 +95,8 @@ fs::path recordingName(const fs::path& folder, const std::string& date, const st
     name += "_" + std::to_string(attempt);
     std::error_code failure;
     fs::path file = folder / (name + std::string(kRecordingEnding));
-    for (int number = 2; fs::exists(fs::symlink_status(file, failure)); ++number) // two programs in one second
+    for (int number = 2; fs::exists(fs::symlink_status(file, failure));
+         ++number) // two programs may start in one second
         file = folder / (name + "-" + std::to_string(number) + std::string(kRecordingEnding));
     return file;
 }
@@ -115,7 +116,7 @@ std::string keepWithinLimit(const fs::path& folder, std::uint64_t limit, std::sp
         const bool ours = fs::remove(files[i].path, failure);
         if (failure) continue;
         bytes -= files[i].bytes;
-        if (ours) removed.push_back(&files[i]); // else another program has removed it
+        if (ours) removed.push_back(&files[i]); // otherwise another program has removed it
     }
     if (removed.empty()) return {};
     std::ofstream list(folder / kRemovedList, std::ios::app);

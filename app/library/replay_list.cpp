@@ -11,7 +11,7 @@ namespace meltpool {
 
 namespace {
 
-/// "2026-11-23 08:10 · 12.3 s · score 84, accepted".
+/// Details of an attempt: "2026-11-23 08:10 · 12.3 s · score 84, accepted".
 std::string detailOf(const KeptAttempt& kept) {
     const std::string dot = " \xC2\xB7 ";
     std::string text = kept.when + dot + lengthText(kept.seconds);

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr int kWidth = 960, kHeight = 540, kSamples = 4;
 
-/// The picture "metal", else the first that is no section.
+/// The picture "metal"; if there is none, the first that is no section.
 const PictureLook* outsideOf(const std::vector<PictureLook>& pictures) {
     const auto named = std::find_if(pictures.begin(), pictures.end(), [](const auto& p) { return p.name == "metal"; });
     if (named != pictures.end()) return &*named;
@@ -65,7 +65,7 @@ std::string attemptPage(LessonScene& scene, Renderer& renderer, const Judgement&
     context.surfaceBytes = scene.surface().bytes();
     const LessonResult result = trainer.result();
     Lesson lesson = trainer.lesson();
-    lesson.torchFile.clear(); // the person led the torch
+    lesson.torchFile.clear(); // the person led the torch, so the page shows no file
     RunResults results = resultsOf(resultEntries(lesson, &result, context), judgement);
     results.pictures = picturesOf(scene, renderer);
     return reportPage(results);
@@ -105,7 +105,7 @@ std::filesystem::path writeAttemptPage(LessonSession& session, double zoom, cons
         attemptPageName(session.log().records().wholeFile(), session.lesson().key, facts.head.date);
     writeFile(page, attemptPage(*session.run().scene(), session.picture().renderer(), judgement, facts, driver));
     session.run().metalChanged();
-    session.run().clock().restart(); // the metal does not make good the time that this took
+    session.run().clock().restart(); // the metal does not catch up on the time that the page took
     return page;
 }
 

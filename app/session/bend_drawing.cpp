@@ -14,23 +14,23 @@ namespace meltpool {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
-constexpr float kMargin = 2;       ///< mm around everything
+constexpr float kMargin = 2;       ///< mm of margin on all sides
 constexpr float kBetween = 10;     ///< mm from the side view to the face
 constexpr float kFaceHeight = 16;  ///< mm of strap, across the seam, that the face shows
-constexpr float kGape = 0.2f;      ///< of an opening's length
-constexpr float kLeastGape = 0.6f; ///< mm
-constexpr int kPieces = 24;        ///< of the bend
-constexpr int kLensPieces = 8;     ///< of an opening's side
+constexpr float kGape = 0.2f;      ///< width of a drawn opening, as a share of its length
+constexpr float kLeastGape = 0.6f; ///< mm, width of the narrowest opening that is drawn
+constexpr int kPieces = 24;        ///< pieces of the bend
+constexpr int kLensPieces = 8;     ///< pieces of an opening's side
 
 float mm(double metres) {
     return static_cast<float>(metres * 1e3);
 }
 
 glm::vec2 onCircle(glm::vec2 middle, float radius, float angle) {
-    return middle + radius * glm::vec2(std::sin(angle), -std::cos(angle)); // 0 is up
+    return middle + radius * glm::vec2(std::sin(angle), -std::cos(angle)); // angle 0 is up
 }
 
-/// An opening seen from outside: pointed at both ends.
+/// Outline of an opening seen from outside: pointed at both ends.
 std::vector<glm::vec2> lens(glm::vec2 from, glm::vec2 to, float gape) {
     std::vector<glm::vec2> points;
     const glm::vec2 way = to - from;
@@ -56,7 +56,7 @@ class Sheet {
     }
 
   private:
-    /// Puts the places in clockwise order, as they are seen.
+    /// Adds a shape with its corners in clockwise order on the page.
     void add(BendPart part, std::vector<glm::vec2> points) {
         float area = 0;
         for (size_t i = 0; i < points.size(); ++i) {
@@ -68,7 +68,7 @@ class Sheet {
     }
     void box(BendPart part, glm::vec2 low, glm::vec2 high) { add(part, {low, {high.x, low.y}, high, {low.x, high.y}}); }
 
-    /// The deepest opening that is resolved, mm.
+    /// Depth of the deepest resolved opening, mm.
     float deepest() const {
         double depth = 0;
         for (const BendOpening& opening : strap_.openings)
@@ -76,7 +76,7 @@ class Sheet {
         return std::min(mm(depth), mm(test_.thickness));
     }
 
-    /// The strap around its former, the stretched face outside; answers its lower right corner.
+    /// Draws the strap around its former, the stretched face outside; returns its lower right corner.
     glm::vec2 drawBent() {
         const float inner = 0.5f * mm(test_.former), thick = mm(test_.thickness), outer = inner + thick;
         const float leg = 0.6f * outer, weld = 0.8f * thick / outer; // rad, half of the weld's breadth
@@ -99,7 +99,7 @@ class Sheet {
         return middle + glm::vec2(outer, leg);
     }
 
-    /// A tee whose standing plate was pushed over onto the weld's face: the root gapes.
+    /// Draws a tee whose upright plate was pushed over onto the weld's face: the root gapes.
     glm::vec2 drawFolded() {
         constexpr float kOver = 0.9f; // rad from the upright
         const float thick = mm(test_.thickness), reach = 3.5f * thick;
@@ -114,7 +114,7 @@ class Sheet {
         return {root.x + reach, root.y + thick};
     }
 
-    /// The stretched face, or the broken one, from outside; answers its lower right corner.
+    /// Draws the stretched face, or the broken one, from outside; returns its lower right corner.
     glm::vec2 drawFace(glm::vec2 corner) {
         const bool broken = strap_.kind == BendKind::filletBreak, side = strap_.kind == BendKind::side;
         const float length = mm(side ? test_.plate : strap_.length());
@@ -140,7 +140,7 @@ class Sheet {
         return corner + glm::vec2(length, height + 6);
     }
 
-    /// Words under the face: where it begins and ends, mm.
+    /// Adds the words under the face: where it begins and ends, mm.
     void addScale(glm::vec2 low, float length) {
         const bool side = strap_.kind == BendKind::side;
         const auto label = [&](float x, double value, const char* unit) {
@@ -155,7 +155,7 @@ class Sheet {
     BendDrawing drawing_;
 };
 
-/// The key of what a strap shows as a whole.
+/// Key of the sentence for a strap as a whole.
 std::string keyOf(const BentStrap& strap) {
     static constexpr std::array<std::string_view, 4> kKinds{"face", "root", "side", "fillet_break"};
     const bool resolved = strap.state == VerdictState::pass || strap.state == VerdictState::fail;

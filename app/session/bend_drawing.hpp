@@ -1,5 +1,5 @@
 // A bent strap, or a broken fillet, as a drawing to scale: the strap from the side, and its stretched face from outside
-// with every opening where it lies.
+// with every opening at its place.
 #pragma once
 
 #include "core/training/judging/bend_test.hpp"
@@ -11,15 +11,15 @@
 
 namespace meltpool {
 
-/// What a part of the drawing is.
+/// Kinds of parts in the drawing.
 enum class BendPart {
     steel,
     weld,
-    opening,   ///< gapes
-    unresolved ///< may gape or not: an outline
+    opening,   ///< an opening that gapes
+    unresolved ///< an opening that may gape or not: an outline
 };
 
-/// A convex polygon, mm; x to the right, y downwards.
+/// Convex polygon, mm; x to the right, y downwards.
 struct BendShape {
     BendPart part = BendPart::steel;
     std::vector<glm::vec2> points;
@@ -31,16 +31,16 @@ struct BendLabel {
 };
 
 struct BendDrawing {
-    glm::vec2 size{0}; ///< mm, of a sheet that everything lies on
+    glm::vec2 size{0}; ///< mm, of the sheet under everything
     std::vector<BendShape> shapes;
     std::vector<BendLabel> labels;
 };
 
-/// Draws a strap of `test`. Along the seam, across it and in depth everything is to scale; how wide an opening gapes is
-/// not known and shown as a fifth of its length.
+/// Draws a strap of `test`. Along the seam, across it and in depth everything is to scale; the width of an opening is
+/// not known and drawn as a fifth of its length.
 BendDrawing drawBend(const BentStrap& strap, const BendTest& test);
 
-/// What the strap shows in a sentence: "Root bend, 0 to 40 mm: passes. Longest opening 2 mm, 4 mm together."
+/// Sentence about the strap: "Root bend, 0 to 40 mm: passes. Longest opening 2 mm, 4 mm together."
 std::string bendSentence(const BentStrap& strap);
 
 } // namespace meltpool

@@ -8,18 +8,18 @@ namespace meltpool {
 namespace {
 
 constexpr float kOrbitSpeed = 1.4f;    ///< rad/s
-constexpr float kApproachSpeed = 1.0f; ///< nearer or farther by a factor e in a second
-constexpr float kFlySpeed = 1.5f;      ///< box units a second
-constexpr float kLookSpeed = 0.0035f;  ///< rad a point of mouse travel
-constexpr float kNotch = 0.12f;        ///< logarithm of the factor of a wheel notch
-constexpr double kLongestFrame = 0.1;  ///< s; longer frames move the camera no farther
+constexpr float kApproachSpeed = 1.0f; ///< nearer or farther by a factor of e per second
+constexpr float kFlySpeed = 1.5f;      ///< box units per second
+constexpr float kLookSpeed = 0.0035f;  ///< rad per point of mouse travel
+constexpr float kNotch = 0.12f;        ///< logarithm of the factor per wheel notch
+constexpr double kLongestFrame = 0.1;  ///< s; a longer frame moves the camera no farther
 
-/// 1, -1 or 0 for a pair of keys.
+/// Direction of a pair of keys: 1, -1 or 0.
 float axis(const InputFrame& input, Key positive, Key negative) {
     return static_cast<float>(input.isHeld(positive)) - static_cast<float>(input.isHeld(negative));
 }
 
-/// Travel of mouse button or trigger, 0..1.
+/// Travel of the mouse button or trigger, 0..1.
 float pulled(const InputFrame& input) {
     return input.leftHeld ? 1.0f : input.gamepad.rightTrigger;
 }
@@ -74,7 +74,7 @@ void Controls::look(const InputFrame& input, float seconds) {
 
 void Controls::setMode(Mode mode) {
     if (mode == mode_) return;
-    // The free camera takes over where the orbit stands, so that the picture does not jump.
+    // The free camera starts where the orbiting one is, so that the picture does not jump.
     if (mode == Mode::view) free_ = FreeCamera(orbit_.position(), glm::vec3(0));
     mode_ = mode;
     putOut(ArcOut::paused);

@@ -1,4 +1,4 @@
-// What keys and mouse do in the window: modes, cameras and the heat source. Knows no window library.
+// Effects of keys and mouse in the window: modes, cameras and the heat source. Knows no window library.
 #pragma once
 
 #include "app/session/heat_source.hpp"
@@ -18,32 +18,32 @@ class Controls {
     Lens lens;
 
     /// Applies `seconds` of input. V changes the mode, C captures or frees the mouse, Escape frees it. A captured mouse
-    /// moves the source (or looks); a free one does so while a button is held on the picture. After a change of the
-    /// mode, of who has the mouse, and after a reset the left button heats only when it has been let go. So does a
+    /// moves the source (or turns the camera); a free one does so while a button is held on the picture. After a reset,
+    /// a change of mode and a captured or freed mouse, the left button heats only once it has been released; so does a
     /// gamepad's right trigger.
     void update(const InputFrame& input, double seconds);
 
-    /// Puts the source back and switches it off; cameras and mode stay.
+    /// Moves the source back to its start and switches it off; cameras and mode stay.
     void reset() {
         putOut(ArcOut::lessonBegan);
         source_.reset();
     }
-    /// Interact mode, mouse free, source and cameras as at the start.
+    /// Resets to interact mode with a free mouse, and source and cameras to their start.
     void restart();
-    /// Where the orbiting camera begins.
+    /// Sets the start of the orbiting camera.
     void placeCamera(const OrbitCamera& camera) { orbit_ = camera; }
-    /// Mouse, wheel, arrow and page keys lead a torch along a seam, and the source stays where it is.
+    /// Makes mouse, wheel, arrow and page keys lead a torch along a seam instead of moving the source.
     void leadTorch(bool leads) { leadsTorch_ = leads; }
-    /// What the hand does to that torch in this frame; no wheel where that moves the camera.
+    /// Input for that torch in this frame; without the wheel if that moves the camera.
     const InputFrame& hand() const { return hand_; }
-    /// How far the hand pulls that torch's trigger, 0..1: the mouse's left button all the way, a gamepad's right
-    /// trigger as far as it is pulled.
+    /// Travel of that torch's trigger, 0..1: 1 for the mouse's left button, a gamepad's right trigger as far as it is
+    /// pulled.
     float trigger() const { return trigger_; }
 
     void releaseMouse() { capture(false); }
     void captureMouse() { capture(true); }
     void setMode(Mode mode);
-    /// Switches the source off until the left button has been let go.
+    /// Switches the source off until the left button is released.
     void putOut(ArcOut reason) {
         lock_.lock(reason);
         pull(0);

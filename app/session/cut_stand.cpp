@@ -11,16 +11,16 @@ namespace meltpool {
 
 namespace {
 
-constexpr float kReadable = 0.12f;                   ///< m in the room across the measures
+constexpr float kReadable = 0.12f;                   ///< m in the room across the measures, for them to be readable
 constexpr float kClear = 0.01f;                      ///< m over the table
-constexpr glm::vec3 kToReader(0.0f, 0.28f, 0.96f);   ///< unit vector from the section to the eyes
-constexpr glm::vec3 kReadersUp(0.0f, 0.96f, -0.28f); ///< up in what she sees, square to it
+constexpr glm::vec3 kToReader(0.0f, 0.28f, 0.96f);   ///< unit vector from the section to the viewer's eyes
+constexpr glm::vec3 kReadersUp(0.0f, 0.96f, -0.28f); ///< up in the viewer's picture, square to kToReader
 
-/// Height of the box's lowest corner.
+/// Height of the box's lowest corner, m.
 float lowestOf(const glm::mat4& modelToRoom, const CutFace& face) {
     float lowest = std::numeric_limits<float>::max();
     for (int corner = 0; corner < 8; ++corner) {
-        const glm::vec3 place((corner & 1) != 0 ? face.at : face.low.x, // what lies beyond the cut is taken away
+        const glm::vec3 place((corner & 1) != 0 ? face.at : face.low.x, // the part beyond the cut is removed
                               (corner & 2) != 0 ? face.high.y : face.low.y,
                               (corner & 4) != 0 ? face.high.z : face.low.z);
         lowest = std::min(lowest, (modelToRoom * glm::vec4(place, 1)).y);

@@ -1,4 +1,4 @@
-// How the headset holds the cut workpiece: as it lies, a person before it sees the section from its edge.
+// Pose of the cut workpiece in the headset: flat on the table, the viewer would see the section from its edge.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -7,18 +7,19 @@
 
 namespace meltpool {
 
-/// The section that is to be looked at, in the workpiece's frame, m.
+/// Section to look at, in the workpiece's frame, m.
 struct CutFace {
-    float at = 0;       ///< of the cut, along x
-    glm::vec2 up{0, 1}; ///< of the section (z, y): what is to be up
-    float extent = 0;   ///< across its measures
+    float at = 0;       ///< place of the cut along x
+    glm::vec2 up{0, 1}; ///< direction in the section (z, y) that is to point up
+    float extent = 0;   ///< size across all measures
     glm::vec3 low{0};   ///< corners of the box around the workpiece
     glm::vec3 high{0};
 };
 
-/// Turns the workpiece about the middle of the cut so that the section faces somebody who stands before the table and
-/// looks down at it, enlarged so that the measures are at least 120 mm across, and lifts it clear of the table.
-/// `modelToRoom`: as it lies; rotation, one scale, translation. `table`: height of the table in the room, m.
+/// Returns `modelToRoom` turned about the middle of the cut so that the section faces a viewer who stands before the
+/// table and looks down at it, enlarged so that the measures are at least 120 mm across, and lifted clear of the table.
+/// `modelToRoom`: rotation, one scale and translation of the uncut workpiece. `table`: height of the table in the room,
+/// m.
 glm::mat4 standOfCut(const glm::mat4& modelToRoom, const CutFace& face, float table);
 
 } // namespace meltpool

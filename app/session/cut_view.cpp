@@ -14,9 +14,9 @@ namespace meltpool {
 namespace {
 
 constexpr double kMm = 1e-3;
-constexpr double kNoticed = 0.05e-3; ///< m: the cut is made anew where it is moved farther
+constexpr double kNoticed = 0.05e-3; ///< m, travel after which the cut is made again
 
-/// Where the verdict's first failure is.
+/// Place of the verdict's first failure.
 std::optional<double> failedPlace(const Judgement& judgement) {
     if (!judgement.verdict) return std::nullopt;
     for (const VerdictItem& item : judgement.verdict->items)
@@ -32,7 +32,7 @@ std::optional<double> judgedPlace(const AttemptJudge& judge) {
     return judgement.weld->stations[judgement.weld->stations.size() / 2].place;
 }
 
-/// The station that stands for a place; null beside the stations.
+/// Station at a place; null outside the stations.
 const WeldStation* stationAt(const WeldMeasures& weld, double place) {
     const WeldStation* nearest = nullptr;
     for (const WeldStation& station : weld.stations)
@@ -60,7 +60,7 @@ void CutView::open(const Trainer& trainer, const AttemptJudge& judge) {
     } else {
         section_ = trainer.section();
         if (section_) moveTo(section_->cut.at());
-        section_.reset(); // it may not be where the cut is
+        section_.reset(); // its place may differ from the cut's
     }
     update(trainer, judge);
 }

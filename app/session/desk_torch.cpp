@@ -17,21 +17,21 @@ namespace {
 
 constexpr double kMm = 1e-3;
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kRunUp = 5 * kMm;         // the torch begins so far before what counts
-constexpr double kFromEnd = 3 * kMm;       // but at least so far from the seam's end
-constexpr double kBeyond = 10 * kMm;       // of the seam's ends that it can be led to
-constexpr double kFarthest = 40 * kMm;     // across
-constexpr double kNotch = 0.5 * kMm;       // of distance, a wheel notch or page key
-constexpr double kKeyAngle = kDegree;      // an arrow key
-constexpr double kLeanRate = 40 * kDegree; // 1/s, a stick pushed all the way
-constexpr double kDistanceRate = 8 * kMm;  // m/s, a shoulder button
+constexpr double kRunUp = 5 * kMm;         // distance at which the torch begins before the judged range
+constexpr double kFromEnd = 3 * kMm;       // least distance of that start from the seam's end
+constexpr double kBeyond = 10 * kMm;       // way beyond the seam's ends that the torch can go
+constexpr double kFarthest = 40 * kMm;     // greatest aim across the seam
+constexpr double kNotch = 0.5 * kMm;       // distance per wheel notch or page key
+constexpr double kKeyAngle = kDegree;      // angle per arrow key
+constexpr double kLeanRate = 40 * kDegree; // rad/s, with a stick pushed all the way
+constexpr double kDistanceRate = 8 * kMm;  // m/s, with a shoulder button held
 constexpr double kSteepest = 60 * kDegree;
-constexpr double kNearest = 0.5 * kMm, kLongest = 60 * kMm; // of the distance
-constexpr double kPointsPerMove = 100;                      // of mouse travel, see ControlParameters::torchMouse
+constexpr double kNearest = 0.5 * kMm, kLongest = 60 * kMm; // limits of the distance
+constexpr double kPointsPerMove = 100; // points of mouse travel per move of ControlParameters::torchMouse
 constexpr double kRodFeed = 4 * kMm;                        // m/s of the fingers while a rod is dipped
 constexpr double kRodTime = 0.15;                           // s from rest into the pool
 
-/// The ideal of a band in SI, or `otherwise`.
+/// Ideal of a band in SI, or `otherwise`.
 double idealOf(const Lesson& lesson, TechniqueQuantity quantity, double otherwise) {
     if (!lesson.technique) return otherwise;
     const TechniqueBand* band = lesson.technique->find(quantity);
@@ -39,8 +39,8 @@ double idealOf(const Lesson& lesson, TechniqueQuantity quantity, double otherwis
     return band->ideal / quantityInfo(quantity, lesson.technique->distance).perSi;
 }
 
-/// DeskPose::distance of the demonstration's torch halfway through its weld; nothing without one. It allows for the
-/// pool, which in a corner stands some mm over the seam.
+/// DeskPose::distance of the demonstration's torch halfway through its weld; nothing without a demonstration. It allows
+/// for the pool, which in a corner rises some mm over the seam.
 std::optional<double> expertDistance(const Lesson& lesson, const Seam& seam) {
     const std::optional<double> strikes = lesson.torch.firstPull();
     if (!strikes) return std::nullopt;
@@ -55,12 +55,12 @@ std::optional<double> expertDistance(const Lesson& lesson, const Seam& seam) {
 /// Unit vectors on the screen, x right and y up.
 struct ScreenAxes {
     glm::vec2 along;
-    glm::vec2 across; ///< to the seam's own side
+    glm::vec2 across; ///< to the seam's side
 };
 
 ScreenAxes axesOf(const SeamFrame& seam, const glm::mat3& toScreen) {
     glm::vec2 along(toScreen * glm::vec3(seam.tangent));
-    // Seen from its end a seam has no way on the screen: then up is along.
+    // Seen from its end a seam has no direction on the screen: then up is along.
     along = glm::length(along) > 0.2F ? glm::normalize(along) : glm::vec2(0, 1);
     const glm::vec2 across(-along.y, along.x);
     const bool turned = glm::dot(across, glm::vec2(toScreen * glm::vec3(seam.across))) < 0;
@@ -83,12 +83,12 @@ void DeskTorch::begin(const Lesson& lesson) {
     wanted_ = {};
     wanted_.aim = idealOf(lesson, TechniqueQuantity::aim, 0);
     wanted_.distance = idealOf(lesson, TechniqueQuantity::distance, usual);
-    // The distance of an arc that is struck by touch says nothing of how it is held.
+    // A touch-struck arc's distance at the start says nothing of how it is held.
     if (kind_ == DistanceKind::ctwd) wanted_.distance = expertDistance(lesson, *seam_).value_or(wanted_.distance);
     wanted_.work = idealOf(lesson, TechniqueQuantity::workAngle, 0);
     wanted_.travel = idealOf(lesson, TechniqueQuantity::travelAngle, 0);
     const double first = lesson.technique ? lesson.technique->lengthFromMm * kMm : seam_->begin() + kRunUp;
-    // An end of the plate is no metal to strike on.
+    // The end of the plate is no metal to strike on.
     wanted_.place = std::max(first - kRunUp, seam_->begin() + kFromEnd);
     held_ = wanted_;
     left_ = time_ = 0;
@@ -109,7 +109,7 @@ void DeskTorch::update(const InputFrame& input, const DeskFrame& frame, const Co
                        const ProcessSettings& process) {
     if (!seam_) return;
     take(process);
-    // The way that the guide has gone since the last frame is the hand's way, too.
+    // The way that the guide went since the last frame counts as the hand's, too.
     wanted_.place += left_;
     left_ = 0;
     guide_ = static_cast<double>(parameters.guideSpeed) * kMm;
@@ -151,21 +151,21 @@ void DeskTorch::takeGamepad(const GamepadFrame& gamepad, const DeskFrame& frame,
     lead(gamepad.left * static_cast<float>(speed * frame.seconds), frame.toScreen);
     const ScreenAxes axes = axesOf(seam_->at(wanted_.place), frame.toScreen);
     const double lean = kLeanRate * frame.seconds;
-    // A torch that pushes leans its handle back against the way it goes.
+    // A pushing torch leans its handle back against its direction.
     wanted_.travel -= static_cast<double>(glm::dot(gamepad.right, axes.along)) * lean;
     wanted_.work += static_cast<double>(glm::dot(gamepad.right, axes.across)) * lean;
     const double farther = static_cast<double>(gamepad.rightShoulder) - static_cast<double>(gamepad.leftShoulder);
     wanted_.distance += farther * kDistanceRate * frame.seconds;
 }
 
-/// m that the guide can still go.
+/// Way that the guide can still go, m.
 double DeskTorch::wayLeft() const {
     if (seam_->closed()) return std::numeric_limits<double>::infinity();
     return std::max(seam_->end() + kBeyond - wanted_.place - left_, 0.0);
 }
 
 TorchSample DeskTorch::next(int step, int due, double seconds, float burntOff, float trigger) {
-    if (trigger > 0) { // both go on by themselves, and only the hand's own way is shared out among the steps
+    if (trigger > 0) { // guide and tremor go on by themselves; only the hand's own way is divided among the steps
         guided_ = guided_ || guide_ > 0;
         const double way = std::min(guide_ * seconds, wayLeft());
         left_ += way;

@@ -16,52 +16,52 @@ namespace meltpool {
 struct Lesson;
 struct ProcessSettings;
 
-/// Where a torch is held against the seam; angles and signs as in the technique that is measured.
+/// Pose of a torch against the seam; angles and signs as in the measured technique.
 struct DeskPose {
     double place = 0;    ///< m along the seam
-    double aim = 0;      ///< m across it
+    double aim = 0;      ///< m across the seam
     double distance = 0; ///< m from contact tip or electrode to the seam's height, along the torch
     double work = 0;     ///< rad
-    double travel = 0;   ///< rad, positive pushes where the torch goes towards growing places
-    double dip = 0;      ///< of a filler rod: 0 at rest, 1 in the pool
+    double travel = 0;   ///< rad; positive pushes while the torch travels towards greater places
+    double dip = 0;      ///< dip of a filler rod: 0 at rest, 1 in the pool
 };
 
-/// What a frame is like beside the hand's input.
+/// Conditions of a frame other than the hand's input.
 struct DeskFrame {
     glm::mat3 toScreen{1}; ///< rotates directions of the workpiece's frame into the view, x right and y up
-    double seconds = 0;    ///< of real time since the last frame
+    double seconds = 0;    ///< s of real time since the last frame
 };
 
-/// Once a frame the hand says where the torch goes to; the steps of the frame lead it there evenly. The height follows
-/// the workpiece as it was before welding, not the bead that grows: the mouse cannot feel metal.
+/// Torch of the desk. Once a frame the input sets its target; the steps of the frame move it there evenly. Its height
+/// follows the workpiece as it was before welding, not the growing bead: the mouse cannot feel metal.
 class DeskTorch {
   public:
-    /// Over the beginning of what the lesson's technique wants welded, held as it asks for, a contact tip as far away
-    /// as in the demonstration; nothing to lead in a lesson of the classic model.
+    /// Places the torch over the beginning of what the lesson's technique wants welded, at the asked angles, a contact
+    /// tip at the demonstration's distance; leads nothing in a lesson of the classic model.
     void begin(const Lesson& lesson);
-    /// At this place along the seam (m), held as it was.
+    /// Moves the torch to this place along the seam (m); its pose stays.
     void standAt(double place);
-    /// There is a seam to lead it along.
+    /// True if there is a seam.
     bool leads() const { return seam_.has_value(); }
 
-    /// Takes a frame's input. A moving mouse goes along and across the seam as they lie on the screen; a wheel notch is
-    /// 0.5 mm of distance, an arrow key 1 degree of travel (left, right) or work angle (up, down), a page key 0.5 mm of
-    /// distance. A gamepad's left stick leads like the mouse and its right stick leans the handle as it lies on the
-    /// screen; its shoulders change the distance and its left trigger dips the rod. With a guide speed the torch goes
-    /// on by itself while it welds, in the metal's time, as far as it can be led. `process`: as it is set now; a
-    /// contact tip stays where it is when the stick-out is set anew.
+    /// Takes a frame's input. Mouse travel on the screen becomes travel along and across the seam; a wheel notch is 0.5
+    /// mm of distance, an arrow key 1 degree of travel (left, right) or work angle (up, down), a page key 0.5 mm of
+    /// distance. A gamepad's left stick leads like the mouse and its right stick leans the handle on the screen; its
+    /// shoulders change the distance and its left trigger dips the rod. With a guide speed the torch travels by itself
+    /// while it welds, in the metal's time, up to the end of its range. `process`: settings now; a contact tip does not
+    /// move when the stick-out changes.
     void update(const InputFrame& input, const DeskFrame& frame, const ControlParameters& parameters,
                 const ProcessSettings& process);
 
-    /// The torch at the end of step `step` of `due` steps (0 <= step < due), each of `seconds`. `burntOff`: see
-    /// Process::burntOff(). `trigger`: 0 to 1; a mouse has no more than these two.
+    /// Torch at the end of step `step` of `due` steps (0 <= step < due), each of `seconds`. `burntOff`: see
+    /// Process::burntOff(). `trigger`: 0 to 1; a mouse has only these two.
     TorchSample next(int step, int due, double seconds, float burntOff, float trigger);
 
     const DeskPose& pose() const { return wanted_; }
-    /// What DeskPose::distance is called, and whether a rod is held.
+    /// Kind of DeskPose::distance, and whether a rod is held.
     DistanceKind distanceKind() const { return kind_; }
     bool hasRod() const { return rod_; }
-    /// The guide has led it since begin().
+    /// True if the guide has led the torch since begin().
     bool guided() const { return guided_; }
 
   private:
@@ -78,13 +78,13 @@ class DeskTorch {
     double stickOut_ = 0; ///< m, see heldBehind()
     bool rod_ = false;
     double guide_ = 0;  ///< m/s
-    double tremor_ = 0; ///< in that of a practised hand
+    double tremor_ = 0; ///< share of a practised hand's tremor
     double time_ = 0;   ///< s of the metal since begin()
     HandTremor hand_{1};
     bool guided_ = false;
-    DeskPose wanted_; ///< by the hand
-    DeskPose held_;   ///< at the last step
-    double left_ = 0; ///< m that the guide has gone beyond the hand's own way
+    DeskPose wanted_; ///< target that the hand sets
+    DeskPose held_;   ///< pose at the last step
+    double left_ = 0; ///< m that the guide went beyond the hand's own way
 };
 
 } // namespace meltpool

@@ -1,4 +1,4 @@
-// What a person hears of the lesson, and reads of it as captions: the settings of both, the same in every lesson.
+// Sound and captions of the lesson, with one set of settings for all lessons.
 #pragma once
 
 #include "core/base/parameter.hpp"
@@ -8,17 +8,18 @@ namespace meltpool {
 
 struct SoundParameters {
     float volume = 0.6f;   ///< 0 silent .. 1
-    bool captions = false; ///< what is heard is told in words
+    bool captions = false; ///< true: captions describe the sounds
 };
 
-/// `device`: a sentence about the sound device for the volume's help, which must outlive the list; may be empty.
+/// Parameters of menus and settings. `device`: a sentence about the sound device for the volume's help, which must
+/// outlive the list; may be empty.
 ParameterList describe(SoundParameters& parameters, std::string_view device = {});
 
 struct Hearing {
     SoundParameters parameters;
     Ear ear;
 
-    /// Empty where captions are off or nothing sounds.
+    /// Caption of the current sound; empty if captions are off or nothing sounds.
     std::string_view caption() const { return parameters.captions ? ear.caption() : std::string_view(); }
 };
 

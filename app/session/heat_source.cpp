@@ -10,7 +10,7 @@ namespace {
 constexpr glm::vec3 kUp{0, 1, 0};
 constexpr float kPointsPerUnit = 500; ///< mouse travel for one box unit at speed 1
 
-/// Horizontal unit vector "away from the person". Looking straight down or up leaves none: then away is -z.
+/// Horizontal unit vector away from the person. A view straight down or up has none: then it is -z.
 glm::vec3 awayFrom(glm::vec3 view) {
     const glm::vec3 flat{view.x, 0, view.z};
     const float length = glm::length(flat);

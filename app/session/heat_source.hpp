@@ -1,4 +1,4 @@
-// The heat source that keys and mouse move: its position, and whether it is on.
+// The heat source that keys and mouse move: its position and its switch.
 #pragma once
 
 #include "app/session/input.hpp"
@@ -8,16 +8,16 @@
 
 namespace meltpool {
 
-/// How far keys and mouse move things. Lengths in box units (one is 40 mm).
+/// Speeds of keys and mouse. Lengths in box units (one is 40 mm).
 struct ControlParameters {
-    float sourceStep = 0.05f;      ///< of an arrow or page key
+    float sourceStep = 0.05f;      ///< step per arrow or page key
     float sourceMouseSpeed = 1.0f; ///< box units for 500 points of mouse travel
     float lookSpeed = 1.0f;        ///< factor on the mouse in view mode
     float cameraSpeed = 1.0f;      ///< factor on the camera keys
-    bool invertLook = false;       ///< pulling the mouse looks up
+    bool invertLook = false;       ///< true: pulling the mouse looks up
     float torchMouse = 8;          ///< mm of a welding torch for 100 points of mouse travel
-    float guideSpeed = 0;          ///< mm/s that a welding torch goes along the seam by itself while it welds
-    float tremor = 0;              ///< of the hand that holds a welding torch, in that of a practised one
+    float guideSpeed = 0;          ///< mm/s at which a welding torch travels along the seam by itself while it welds
+    float tremor = 0;              ///< tremor of the hand with a welding torch, as a share of a practised one's
     float gamepadSpeed = 15;       ///< mm/s of a welding torch with a gamepad's stick pushed all the way
 };
 ParameterList describe(ControlParameters& parameters);
@@ -27,8 +27,9 @@ class SteeredSource {
   public:
     static constexpr glm::vec3 kHome{0.9f, 0.9f, 0.9f};
 
-    /// `view`: unit vector the camera looks along. Arrow keys step along its horizontal part and to its side, page keys
-    /// up and down; a moving mouse shifts sideways and up, with the right button held forward instead of up.
+    /// Moves the source. `view`: unit vector of the camera's direction. Arrow keys step along its horizontal part and
+    /// to its side, page keys up and down; mouse travel moves it sideways and up, with the right button held forward
+    /// instead of up.
     void move(const InputFrame& input, glm::vec3 view, const ControlParameters& parameters);
 
     void reset();

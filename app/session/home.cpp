@@ -21,7 +21,7 @@ void Home::refresh() {
     std::vector<CataloguedLesson> fresh = readCatalogue(folders_, faults_);
     if (fresh.empty()) return;
     lessons_ = std::move(fresh);
-    choose(chosen_); // there may be fewer
+    choose(chosen_); // the list may have become shorter
     choose(key);
 }
 

@@ -1,4 +1,4 @@
-// The home page that window and headset share: which lessons there are, which one is chosen, the best scores.
+// The home page that window and headset share: the lessons, the chosen one, the best scores.
 #pragma once
 
 #include "app/library/best_scores.hpp"
@@ -19,39 +19,39 @@ class Home {
     /// `scores`: the file of best scores. Throws InputError where the shipped lessons cannot be read.
     Home(LessonFolders lessons, const std::filesystem::path& scores);
 
-    bool open = false; ///< the page is shown instead of a lesson
+    bool open = false; ///< true: the page is shown instead of a lesson
 
     const std::vector<CataloguedLesson>& lessons() const { return lessons_; }
-    /// Reads the lessons again, which somebody may have changed meanwhile; the choice stays where it can.
+    /// Reads the lessons again, because files may have changed; the choice stays if its lesson does.
     void refresh();
-    /// A sentence for each folder of lessons that cannot be read.
+    /// One sentence for each folder of lessons that cannot be read.
     const std::vector<std::string>& faults() const { return faults_; }
 
-    /// Lessons that stand together below a heading; none is empty.
+    /// Lessons below one heading; no group is empty.
     struct Group {
         LessonOrigin origin;
-        size_t begin, end; ///< in lessons()
+        size_t begin, end; ///< range in lessons()
     };
     std::vector<Group> groups() const;
-    /// Null where the catalogue has no such lesson.
+    /// Lesson of a key; null if the catalogue has none.
     const CataloguedLesson* find(std::string_view key) const;
-    /// The same of a lesson that was read; null for one from a file elsewhere.
+    /// Catalogue's entry of a lesson; null if it was read from a file elsewhere.
     const CataloguedLesson* find(const Lesson& lesson) const;
 
-    /// The lesson that a request to open one means; the default lesson at first.
+    /// Lesson that a request to open one means; the default lesson at first.
     const CataloguedLesson& chosen() const { return lessons_[chosen_]; }
     size_t chosenIndex() const { return chosen_; }
     void choose(size_t index);
     void choose(std::string_view key);
-    /// Moves the choice by places to the right and rows down in a page of `columns` columns, as the arrow keys do. Each
+    /// Moves the choice by places to the right and rows down in a page of `columns` columns, like the arrow keys. Each
     /// group begins a row.
     void move(int right, int down);
-    size_t columns = 1; ///< of the window's page as last drawn
-    size_t page = 0;    ///< of the headset's list
-    /// True once after move(): the page brings the chosen lesson in sight.
+    size_t columns = 1; ///< columns of the window's page as last drawn
+    size_t page = 0;    ///< page of the headset's list
+    /// Returns true once after move(), so that the page scrolls to the chosen lesson.
     bool takeMoved();
 
-    /// "Level 2 of 5 · Best 84, accepted": what stands below a lesson's title.
+    /// Line below a lesson's title: "Level 2 of 5 · Best 84, accepted".
     std::string standing(const CataloguedLesson& lesson) const;
 
     BestScores scores;
@@ -59,7 +59,7 @@ class Home {
     ReplayList attempts;
 
   private:
-    /// The index a row further, at the same column or the row's end; the same index where there is no such row.
+    /// Index one row further, in this column or at the row's end; `index` itself if there is no such row.
     size_t rowBeyond(size_t index, int down) const;
 
     LessonFolders folders_;

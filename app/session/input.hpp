@@ -1,4 +1,4 @@
-// What a person did with keyboard and mouse since the last frame, without naming the window library.
+// Input of keyboard, mouse and gamepad since the last frame, independent of the window library.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -8,7 +8,7 @@
 
 namespace meltpool {
 
-/// The keys that the trainer uses.
+/// Keys that the trainer uses.
 enum class Key {
     a,
     c,
@@ -45,7 +45,7 @@ enum class Key {
     count
 };
 
-/// A gamepad; all at rest where there is none. Sticks -1..1, to the right and away from the person positive.
+/// Gamepad input; all at rest without a gamepad. Sticks -1..1, to the right and away from the person positive.
 struct GamepadFrame {
     glm::vec2 left{0};
     glm::vec2 right{0};
@@ -57,10 +57,10 @@ struct GamepadFrame {
 
 struct InputFrame {
     std::bitset<static_cast<size_t>(Key::count)> held;
-    std::vector<Key> pressed; ///< in order; a key that is held comes again at the keyboard's repeat rate
-    std::vector<Key> struck;  ///< the same without the repeats
-    glm::vec2 mouseMove{0};   ///< to the right and downwards, in screen points
-    glm::vec2 dragMove{0};    ///< the part of it that was made with a button down
+    std::vector<Key> pressed; ///< in order; a held key repeats at the keyboard's rate
+    std::vector<Key> struck;  ///< `pressed` without the repeats
+    glm::vec2 mouseMove{0};   ///< travel to the right and downwards, in screen points
+    glm::vec2 dragMove{0};    ///< the part of mouseMove with a button down
     float scroll = 0;         ///< wheel notches, away from the person positive
     bool leftHeld = false;
     bool rightHeld = false;

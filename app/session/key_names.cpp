@@ -7,7 +7,7 @@ namespace {
 constexpr std::array<char, 13> kUsual{'A', 'C', 'D', 'E', 'F', 'H', 'J', 'Q', 'R', 'S', 'V', 'W', 'X'};
 static_assert(kUsual.size() == static_cast<size_t>(Key::left));
 
-/// Of a letter below U+0800.
+/// Capital of a letter below U+0800.
 unsigned capital(unsigned letter) {
     const auto within = [letter](unsigned low, unsigned high) { return letter >= low && letter <= high; };
     if (within('a', 'z')) return letter - 0x20;

@@ -1,4 +1,4 @@
-// The letters that are printed on the keys of the keyboard that is there.
+// Letters printed on the keys of the connected keyboard.
 #pragma once
 
 #include "app/session/input.hpp"
@@ -10,17 +10,18 @@
 
 namespace meltpool {
 
-/// Keys are known by their place: Key::w is the key above Key::s, on a French keyboard the one with the letter Z.
+/// Names of keys. A key is known by its place: Key::w is the key above Key::s, on a French keyboard the one with the
+/// letter Z.
 class KeyNames {
   public:
-    /// Those of a US keyboard.
+    /// Starts with the names of a US keyboard.
     KeyNames();
 
-    /// `signOf` answers the sign (UTF-8) that a letter key types without other keys; empty: unknown, and the key keeps
-    /// the name that it has on a US keyboard.
+    /// Reads the names. `signOf` returns the sign (UTF-8) that a letter key types without modifiers; empty: unknown,
+    /// and the key keeps its US name.
     void read(FunctionRef<std::string(Key)> signOf);
 
-    /// "W"; of one of the letter keys, Key::a to Key::x.
+    /// Name of a letter key, Key::a to Key::x: "W".
     std::string_view of(Key key) const { return names_[static_cast<size_t>(key)]; }
 
     static const KeyNames& usual();
@@ -30,7 +31,7 @@ class KeyNames {
     std::array<std::string, kLetters> names_;
 };
 
-/// The letter as keys show it: "z" gives "Z", "я" gives "Я"; Latin, Greek and Cyrillic.
+/// Letter as printed on keys: "z" gives "Z", "я" gives "Я"; Latin, Greek and Cyrillic.
 std::string capitalLetter(std::string_view sign);
 
 } // namespace meltpool

@@ -35,7 +35,7 @@ void LessonPicture::beginFrame(double seconds, bool live) {
     if (!live) return;
     const SurfaceParameters& surface = source_.lesson.surface;
     Lesson& running = trainer()->lesson();
-    const bool detailed = running.look.detail != detail_; // decides what the surface holds
+    const bool detailed = running.look.detail != detail_; // the detail decides what the surface holds
     if (detailed || !same(shownSurface_, surface)) source_.run.metalChanged();
     running.surface = surface;
     running.look.detail = detail_;
@@ -49,7 +49,7 @@ SceneView LessonPicture::scene(gl::Profiler* profiler) {
 }
 
 void LessonPicture::noteSurface() {
-    // The vibration needs the surface also while the particles are shown.
+    // The vibration needs the surface also while particles are shown.
     const bool needed = leader() == TorchLeader::hand || source_.lesson.look.mode != kPointsMode;
     if (needed) source_.run.noteMetal();
 }

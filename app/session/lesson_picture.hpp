@@ -20,10 +20,10 @@ struct DeskPicture {
     View view;
 };
 
-/// The lesson that is shown; all of it must outlive the picture.
+/// The lesson to show; all of it must outlive the picture.
 struct PictureSource {
     const Lesson& lesson;
-    LessonRun& run; ///< where it has no metal, scenes are empty
+    LessonRun& run; ///< its scenes are empty while it has no metal
     Activities& activities;
     const TorchLead& lead;
 };
@@ -34,46 +34,46 @@ class LessonPicture {
     LessonPicture(gl::ShaderLibrary& shaders, const PictureSource& source);
 
     Renderer& renderer() { return renderer_; }
-    /// The detail of the pictures to come, whatever the lesson's file says; the highest at first.
+    /// Sets the detail of the pictures from now on, regardless of the lesson's file; the highest at first.
     void setDetail(PictureDetail detail) { detail_ = detail; }
-    /// The lesson's look with that detail.
+    /// Look of the lesson with that detail.
     LookParameters look() const;
-    /// The visor and the eye of the window's picture, see WornVisor. They are those of the lesson's look.
+    /// Visor and eye of the window's picture, see WornVisor; from the lesson's look.
     const WornVisor& visor() const { return visor_; }
 
-    /// Another frame begins, `seconds` of real time after the last. Brings the lesson's look and surface to the metal
-    /// where `live`.
+    /// Begins a frame, `seconds` of real time after the last. Applies the lesson's look and surface to the metal if
+    /// `live`.
     void beginFrame(double seconds, bool live);
 
-    /// The scene with the current surface.
+    /// Scene with the current surface.
     SceneView scene(gl::Profiler* profiler);
-    /// The lesson as the desk sees it now. `aspect`: width over height; `shift`: how far right of the window's middle
-    /// the picture's middle is, as a share of half its width. What it lends is valid until the lesson's next steps are
-    /// finished. `surfaceLater`: the surface is still to be made by completeSurface().
+    /// Picture of the lesson from the desk's camera. `aspect`: width over height; `shift`: of the picture's middle to
+    /// the right of the window's, as a share of half the window's width. Valid until the lesson's next steps are
+    /// finished. `surfaceLater`: leaves the surface to completeSurface().
     DeskPicture atDesk(const Controls& controls, float aspect, float shift, bool surfaceLater, gl::Profiler* profiler);
-    /// Makes the surface that an atDesk() left for later.
+    /// Makes the surface that atDesk() left for later.
     void completeSurface(DeskPicture& picture, gl::Profiler* profiler);
     void draw(const DeskPicture& picture, const RenderTarget& target, gl::Profiler* profiler);
 
-    /// The cues for this eye, or for the middle between two, in the world of `scene`; none outside an attempt. Valid
-    /// until the next call.
+    /// Cues for this eye, or for the middle between two, in the world of `scene`; none outside an attempt. Valid until
+    /// the next call.
     std::span<const Marker> cueMarkers(const SceneView& scene, const View& eye);
-    /// The ghost likewise. `zoom`: see AttemptGhost::markers().
+    /// Markers of the ghost, likewise. `zoom`: see AttemptGhost::markers().
     std::span<const Marker> ghostMarkers(const SceneView& scene, const View& eye, float zoom = 1);
 
     CutView& cut() { return cut_; }
     const CutView& cut() const { return cut_; }
-    /// Cuts the weld open, the desk's camera square before the cut. Waits for the GPU. Throws RuntimeFault, and leaves
-    /// it closed then.
+    /// Cuts the weld open and puts the desk's camera square before the cut. Waits for the GPU. Throws RuntimeFault; the
+    /// weld then stays closed.
     void openCut(Controls& controls);
-    /// Closes the cut, with camera and mode as before; false where it was not open.
+    /// Closes the cut and restores camera and mode; returns false if it was not open.
     bool closeCut(Controls& controls);
-    /// Moves the open cut by what the hand does in this frame, and cuts where it is now. Throws RuntimeFault.
+    /// Moves the open cut by this frame's input and cuts at its new place. Throws RuntimeFault.
     void moveCut(const Controls& controls);
 
-    /// How far under the workpiece's origin the lowest place of its space lies in the room, m, negative.
+    /// Height of the lowest point of the workpiece's space over its origin in the room, m, negative.
     float bottom() const;
-    /// How the workpiece is held; as it lies without a running weld lesson.
+    /// Fixture of the workpiece; flat without a running weld lesson.
     Fixture fixture() const;
     /// Place of the arc in the eye's frame of this view matrix, m. Nothing without a running weld lesson.
     std::optional<glm::vec3> arcFrom(const glm::mat4& worldToEye) const;
@@ -94,7 +94,7 @@ class LessonPicture {
     PictureDetail detail_ = kHighDetail;
     SurfaceParameters shownSurface_;
     WornVisor visor_;
-    double sinceSeen_ = 0; ///< real s since the last picture
+    double sinceSeen_ = 0; ///< s of real time since the last picture
     CutView cut_;
     OrbitCamera cameraBeforeCut_;
     Mode modeBeforeCut_ = Mode::interact;

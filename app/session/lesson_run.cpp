@@ -9,7 +9,7 @@ LessonRun::LessonRun(gl::ShaderLibrary& shaders, Activities& activities, Stopwat
     : shaders_(shaders), activities_(activities), metalThere_(metalThere), now_(now) {}
 
 void LessonRun::make(Lesson lesson) {
-    free(); // its memory may be needed for the next
+    free(); // the next metal may need its memory
     auto trainer = std::make_unique<Trainer>(shaders_, std::move(lesson), metalThere_);
     scene_ = std::make_unique<LessonScene>(shaders_, *trainer);
     trainer_ = std::move(trainer);

@@ -1,5 +1,5 @@
-// The running metal of a lesson: its Trainer, how it is seen, the clock that its steps follow, and the fault that
-// stopped it.
+// The running metal of a lesson: its Trainer, its scene, the clock that its steps follow, and the fault that stopped
+// it.
 #pragma once
 
 #include "app/activities/activities.hpp"
@@ -13,72 +13,74 @@
 
 namespace meltpool {
 
-/// A frame of the person at whom the metal's steps are led.
+/// Input of a frame for the metal's steps.
 struct RunFrame {
-    double seconds = 0;    ///< of real time since the last frame
+    double seconds = 0;    ///< s of real time since the last frame
     bool waits = false;    ///< see ActivityFrame
-    bool forScore = false; ///< likewise
-    TorchSource torch;     ///< of the person
+    bool forScore = false; ///< see ActivityFrame
+    TorchSource torch;     ///< torch of the person
 };
 
 class LessonRun {
   public:
-    /// Runs what `activities` are at. `now` tells how long steps take. `metalThere`: the metal lies in that
-    /// context, see LessonMetal. All must outlive this.
+    /// Runs the metal of `activities`. `now`: clock that measures the steps. `metalThere`: context of the metal, see
+    /// LessonMetal. All must outlive this.
     LessonRun(gl::ShaderLibrary& shaders, Activities& activities, Stopwatch now, gl::OtherContext* metalThere);
 
-    /// Makes the metal of this lesson in the place of the one before, which is freed first, and with it the clock.
-    /// Throws InputError or RuntimeFault when memory or driver do not suffice; then there is none.
+    /// Frees the old metal and its clock and makes that of this lesson. Throws InputError or RuntimeFault when memory
+    /// or driver do not suffice; then there is none.
     void make(Lesson lesson);
-    /// There is no metal any more, and no activity.
+    /// Frees the metal and ends the activity.
     void free();
-    /// An activity begins over the metal at its start: no fault has stopped it yet.
+    /// Begins an activity over the metal's start state: clears the fault.
     void beginAgain();
 
-    /// Metal and process; null where there are none.
+    /// Metal and process; null without metal.
     Trainer* trainer() { return trainer_.get(); }
     const Trainer* trainer() const { return trainer_.get(); }
-    /// How the metal is seen; null where there is none.
+    /// Scene of the metal; null without metal.
     LessonScene* scene() { return scene_.get(); }
-    /// The arc of the last step; out where there is no metal.
+    /// Arc of the last step; out without metal.
     ArcState arc() const { return trainer_ ? trainer_->arc() : ArcState{}; }
-    /// The torch of the last step. Only where there is metal.
+    /// Torch of the last step. Requires metal.
     const TorchSample& torch() const { return trainer_->torch(); }
     size_t steps() const { return trainer_ ? trainer_->steps() : 0; }
-    /// Notes in the attempt's record what happened after the last step: `recentred`, `torch_lost`, `zoom 2`. No-op
-    /// outside an attempt.
+    /// Notes in the attempt's record an event after the last step: `recentred`, `torch_lost`, `zoom 2`. No-op outside
+    /// an attempt.
     void event(std::string_view name, std::string_view value = {});
-    /// Why the attempt's record was cut short; empty while it is whole or none is wanted.
+    /// Reason why the attempt's record was cut short; empty while it is whole or none is wanted.
     const std::string& recordFault() const;
 
-    /// Costs of the metal's steps in the frames.
+    /// Cost of the metal's steps per frame.
     StepClock& clock() { return clock_; }
     const StepClock& clock() const { return clock_; }
     Stopwatch stopwatch() const { return now_; }
 
-    /// The fault that stopped the simulation; empty while it runs.
+    /// Fault that stopped the simulation; empty while it runs.
     const std::string& fault() const { return fault_; }
     void stop(std::string fault) { fault_ = std::move(fault); }
-    /// Runs what may find a fault of the machine, or a recording that is damaged: then the simulation stops.
+    /// Runs `work` and stops the simulation if it throws: a fault of the machine, or a damaged recording.
     void guarded(FunctionRef<void()> work);
 
-    /// The next steps are made beside a picture, whose frame takes so long besides steps (s); 0: before it.
+    /// Runs the next steps in parallel with a picture, whose frame takes `rest` seconds without the steps; 0: before
+    /// the picture.
     void stepBeside(double rest) { beside_ = rest; }
-    /// True: makeSteps() and then finishSteps() are to be called before anything else of the lesson but completing and
-    /// drawing its picture. `ear` hears them. Outside a lesson nothing is left to be made: false.
+    /// Returns true if makeSteps() and then finishSteps() must be called before anything else of the lesson except
+    /// completing and drawing its picture. `ear` hears the steps. Outside a lesson there are no steps: false.
     bool beginSteps(RunFrame frame, Ear& ear, gl::Profiler* profiler);
-    /// May run on the thread of the metal's context, while the picture shows the metal as it was.
+    /// Makes the steps; may run on the thread of the metal's context, while the picture shows the metal as it was.
     void makeSteps(gl::Profiler* profiler);
     void finishSteps();
 
-    /// The metal is another than at the last noteMetal().
+    /// Marks the metal as changed since the last noteMetal().
     void metalChanged() { changed_ = true; }
     /// See LessonScene::noteMetal(); no-op while the metal has not changed.
     void noteMetal();
 
-    /// Asks where the metal lies under the torch in the hand. The answer comes frames later; nothing waits for it.
+    /// Requests the distance from the torch in the hand to the metal. The answer arrives frames later; nothing waits
+    /// for it.
     void requestSurfaceDistance(const TorchSample& torch);
-    /// The newest answer; no metal anywhere before the first.
+    /// Newest answer; before the first one, no metal anywhere.
     const SurfaceDistance& surfaceDistance() const { return surfaceDistance_; }
     void forgetSurfaceDistance() { surfaceDistance_ = {}; }
 
@@ -88,11 +90,11 @@ class LessonRun {
     gl::OtherContext* metalThere_;
     Stopwatch now_;
     std::unique_ptr<Trainer> trainer_;
-    std::unique_ptr<LessonScene> scene_; ///< of the trainer
+    std::unique_ptr<LessonScene> scene_; ///< scene of the trainer
     StepClock clock_;
     double beside_ = 0;                  ///< see stepBeside()
-    std::optional<ActivityFrame> frame_; ///< between beginSteps() and finishSteps()
-    int due_ = 0;                        ///< steps of it
+    std::optional<ActivityFrame> frame_; ///< set between beginSteps() and finishSteps()
+    int due_ = 0;                        ///< steps of that frame
     std::string fault_;
     bool changed_ = true;
     SurfaceDistance surfaceDistance_;

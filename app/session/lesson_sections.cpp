@@ -20,20 +20,20 @@ ParameterList startParameters(Lesson& lesson, AttemptParameters& attempt) {
     return list;
 }
 
-/// The picture's detail is a setting of the window, for all lessons.
+/// Parameters of the look without the picture's detail, which is a setting of the window for all lessons.
 ParameterList viewParameters(LookParameters& look) {
     ParameterList list = describe(look);
     std::erase_if(list, [](const Parameter& p) { return p.key == "detail"; });
     return list;
 }
 
-/// Keys of the look that change nothing in this lesson.
+/// Keys of the look that have no effect in this lesson.
 std::span<const std::string_view> idleLook(const Lesson& lesson) {
     static constexpr std::array<std::string_view, 8> kIdle{"arc_light",         "spatter",         "fume",
                                                            "visor_light_shade", "visor_switching", "adaptation",
                                                            "material",          "show_source"};
     const std::span<const std::string_view> all(kIdle);
-    if (lesson.model == LessonModel::Classic) return all.first(6); // no arc
+    if (lesson.model == LessonModel::Classic) return all.first(6); // the classic model has no arc
     return isArcWelding(lesson.process) ? all.last(2) : all;
 }
 
@@ -73,7 +73,7 @@ LessonSections::LessonSections(Lesson& lesson)
     }
     for (const ChosenSetting& each : lesson.choose) {
         simulation.chosen.push_back(each.key);
-        // What may not be chosen is nothing to go back to.
+        // A value outside the allowed choices cannot be a default.
         if (each.start && (*each.start < each.from || *each.start > each.to)) simulation.defaults.erase(each.key);
     }
 }

@@ -43,7 +43,7 @@ void LessonSession::openHelp() {
     help_.ghost.idle = attempt().ghost().idle();
 }
 
-/// Ends what runs, and puts torch and camera to the lesson's places.
+/// Ends the running lesson, and moves torch and camera to the lesson's places.
 void LessonSession::prepare(Controls& controls) {
     end("another attempt began");
     controls.restart();
@@ -71,7 +71,7 @@ void LessonSession::begin(Controls& controls) {
     beginAttempt();
 }
 
-/// `process`: other settings than those of the menus, which then change nothing.
+/// Makes the metal. `process`: settings other than the menus', which then have no effect.
 void LessonSession::makeMetal(const ProcessSettings* process) {
     run_.free();
     Lesson made = lesson();
@@ -86,7 +86,7 @@ void LessonSession::makeMetal(const ProcessSettings* process) {
     if (process == nullptr) values_.follow(*run_.trainer());
 }
 
-/// The person turns to this, over metal at its start.
+/// Turns to this activity, over metal in its start state.
 void LessonSession::beginOver(Activity& activity) {
     activities_.turnTo(activity);
     run_.beginAgain();
@@ -113,7 +113,7 @@ void LessonSession::demonstrate(Controls& controls) {
 
 void LessonSession::openReplay(Lesson attempt, Controls& controls) {
     prepare(controls);
-    attempt.surface = lesson().surface; // how it is shown is the viewer's choice
+    attempt.surface = lesson().surface; // the viewer chooses how it is shown
     run_.make(std::move(attempt));
     hearing_.ear.reset();
     beginOver(activities_.replay);
@@ -148,7 +148,7 @@ void LessonSession::settle(Controls& controls) {
     const int answer = std::exchange(question_.answered, -1);
     if (answer < 0 || !question_.asked()) return;
     question_ = {};
-    if (!running()) return; // the machine is set on the lesson's first page
+    if (!running()) return; // without a running lesson the machine is set on its first page
     if (activities_.at(activities_.trial)) return settleTrial(answer, controls);
     if (answer == 0) {
         log().records().renounce();
@@ -173,10 +173,10 @@ void LessonSession::end(std::string_view reason) noexcept {
 void LessonSession::judge() {
     if (!judges() || question_.asked() || !run_.fault().empty()) return;
     run_.guarded([&] { attempt().judge(*run_.trainer()); });
-    run_.clock().restart(); // the metal does not make good the time that judging took
+    run_.clock().restart(); // the metal does not catch up on the time that judging took
 }
 
-/// An attempt for score is welded once, from its beginning to its end.
+/// An attempt for score is welded once, from beginning to end.
 bool LessonSession::redoes() {
     return judges() && !values_.forScore() && !question_.asked() && run_.fault().empty() && log().moments().can();
 }
@@ -186,7 +186,7 @@ void LessonSession::redo(Controls& controls) {
     closeCut(controls);
     try {
         if (!attempt().beginFromCheckpoint(*run_.trainer())) return;
-    } catch (const std::exception& fault) { // the metal may be of neither moment
+    } catch (const std::exception& fault) { // the metal may belong to neither checkpoint
         run_.stop(fault.what());
         run_.event("fault", run_.fault());
         return;

@@ -1,4 +1,4 @@
-// The lesson that window and headset share: what the person is doing in it, and what they may do next.
+// The lesson that window and headset share: what the person does in it, and what they may do next.
 #pragma once
 
 #include "app/activities/activities.hpp"
@@ -17,10 +17,10 @@ namespace meltpool {
 /// The lesson of a catalogue name or TOML file. Throws InputError when it cannot be used.
 Lesson loadLesson(const std::string& name);
 
-/// The machine's clock, as a Stopwatch.
+/// Clock of the machine, as a Stopwatch.
 double machineSeconds();
 
-/// Switches of the help that a person sees and hears beside the weld, for every lesson; those that do nothing in this
+/// Switches of the help that a person sees and hears during the weld, for every lesson; those without effect in this
 /// one are idle.
 struct HelpSections {
     ParameterSection cues, sound, ghost;
@@ -28,54 +28,54 @@ struct HelpSections {
 
 class LessonSession {
   public:
-    /// `stopwatch` tells how long steps take. `metalThere`: the metal lies in that context, see LessonMetal; it must
-    /// outlive the session. Throws InputError when the shaders cannot be used.
+    /// `stopwatch` measures the steps. `metalThere`: context of the metal, see LessonMetal; it must outlive the
+    /// session. Throws InputError when the shaders cannot be used.
     LessonSession(gl::ShaderLibrary& shaders, Lesson lesson, Stopwatch stopwatch = machineSeconds,
                   gl::OtherContext* metalThere = nullptr);
     ~LessonSession() { end("the program ended"); }
 
-    /// Takes another lesson, with the values of its file. A running one ends. What sections() answered before is gone.
+    /// Takes another lesson, with the values of its file. A running one ends. Earlier results of sections() become
+    /// invalid.
     void open(Lesson lesson);
 
     /// Makes the metal from the start values: another attempt. Throws InputError or RuntimeFault when memory or driver
     /// do not suffice. See question() for a decision that must come first.
     void begin(Controls& controls);
-    /// Makes the metal and plays the lesson's demonstration over it, where it has one. It has no record and is not
-    /// judged; reset() ends it and begins an attempt. Throws as begin() does.
+    /// Makes the metal and plays the lesson's demonstration over it, if it has one. A demonstration has no record and
+    /// is not judged; reset() ends it and begins an attempt. Throws as begin() does.
     void demonstrate(Controls& controls);
-    /// Makes the metal of a kept attempt, see lessonOfAttempt(), and plays it. It has no record and is not judged; the
-    /// menus' values change nothing of it. reset() ends it and begins an attempt. Throws as begin() does.
+    /// Makes the metal of a stored attempt, see lessonOfAttempt(), and plays it. A replay has no record and is not
+    /// judged; the menus' values do not affect it. reset() ends it and begins an attempt. Throws as begin() does.
     void openReplay(Lesson attempt, Controls& controls);
-    /// Compares two kept attempts, see AttemptComparison::begin(), whose metal advance() makes and steps. A running
+    /// Compares two stored attempts, see AttemptComparison::begin(), whose metal advance() makes and steps. A running
     /// lesson ends.
     void compare(const AttemptComparison::Side& first, const AttemptComparison::Side& second);
-    /// Puts metal and source back to their start: another attempt. No shader is compiled anew.
+    /// Puts metal and source back to their start: another attempt. Compiles no shader.
     void reset(Controls& controls);
-    /// Ends the lesson and frees the metal. `reason` stands in the attempt's record.
+    /// Ends the lesson and frees the metal. `reason` is written to the attempt's record.
     void end(std::string_view reason) noexcept;
-    /// The person is in the lesson: their activity goes on over its metal.
+    /// True while the person is in the lesson: their activity goes on over its metal.
     bool running() const { return activities_.current().inLesson(); }
 
-    /// All that the person can be at, and the one that they are at. Demonstration and replay are played, paused and
-    /// moved through these.
+    /// All activities, and the current one. Demonstration and replay are played, paused and moved through these.
     Activities& activities() { return activities_; }
     const Activities& activities() const { return activities_; }
     TorchLeader leader() const { return lead_.leader(activities_.allowed()); }
-    /// The person's own arc burns: what interrupts the frames now would lose what the hand does meanwhile.
+    /// True while the person's own arc burns: to interrupt the frames now would lose the hand's motion.
     bool welds() const { return activities_.allowed().ownTorch && run_.arc().burns(); }
-    /// No step was made in the last frame, as the person looks around or the weld is cut open.
+    /// True if the last frame made no step, because the person looks around or the weld is cut open.
     bool paused() const { return paused_; }
     Attempt& attempt() { return activities_.attempt; }
     const Attempt& attempt() const { return activities_.attempt; }
-    /// Files and moments of the attempts.
+    /// Files and checkpoints of the attempts.
     AttemptLog& log() { return attempt().log(); }
     const AttemptLog& log() const { return attempt().log(); }
 
-    /// Runs the steps that fit into `seconds` of real time, of a comparison too. The torch follows `held`, or the
-    /// controls where that is empty; then nothing runs in view mode.
+    /// Runs the steps that fit into `seconds` of real time, also of a comparison. The torch follows `held`, or the
+    /// controls if that is empty; then view mode pauses the steps.
     void advance(const Controls& controls, double seconds, gl::Profiler* profiler, const TorchSource& held = {});
-    /// advance() in three parts, the others being of run(), see LessonRun::beginSteps(); `controls` must stay as they
-    /// are until the steps are finished. False: all is done.
+    /// First of the three parts of advance(); the other two belong to run(), see LessonRun::beginSteps(). `controls`
+    /// must not change until the steps are finished. False: all is done.
     bool beginSteps(const Controls& controls, double seconds, gl::Profiler* profiler, const TorchSource& held = {});
     LessonRun& run() { return run_; }
     const LessonRun& run() const { return run_; }
@@ -89,26 +89,26 @@ class LessonSession {
     /// Carries out the answer.
     void settle(Controls& controls);
 
-    /// The weld can be measured and judged.
+    /// True if the weld can be measured and judged.
     bool judges() const { return activities_.allowed().judging && run_.trainer()->technique() != nullptr; }
     /// Judges the attempt so far, see Attempt::judge(). A fault stops the simulation.
     void judge();
-    /// The attempt can go back to an earlier moment now.
+    /// True if the attempt can go back to an earlier checkpoint now.
     bool redoes();
-    /// Goes back to before the fault that was chosen in the log's moments(), or some seconds: the metal is as it was
-    /// then, and the torch welds on from there once its trigger was let go. The attempt is practice from here on. Waits
-    /// for the GPU.
+    /// Goes back to before the fault that was chosen in the log's moments(), or some seconds: restores the metal's
+    /// checkpoint, and the torch welds on from there once its trigger is released. The attempt is practice from here
+    /// on. Waits for the GPU.
     void redo(Controls& controls);
-    /// The weld can be cut open now: it can be judged, and the arc does not burn or the person has paused.
+    /// True if the weld can be cut open now: it can be judged, and the arc does not burn or the person has paused.
     bool cuts() const;
-    /// Cuts the weld open, the desk's camera square before the cut, or closes it again, with camera and mode as before.
-    /// While it is open no step is made; arrow keys and a dragging mouse move the cut.
+    /// Cuts the weld open with the desk's camera square before the cut, or closes it and restores camera and mode.
+    /// While it is open no step is made; arrow keys and mouse dragging move the cut.
     void toggleCut(Controls& controls);
 
     /// Sound of the lesson.
     Hearing& hearing() { return hearing_; }
     HelpSections& help() { return help_; }
-    /// The torch that mouse and keys lead, in a weld lesson.
+    /// Torch that mouse and keys lead, in a weld lesson.
     const DeskTorch& deskTorch() const { return lead_.desk(); }
     LessonValues& values() { return values_; }
     const Lesson& lesson() const { return values_.lesson(); }
@@ -137,7 +137,7 @@ class LessonSession {
     HelpSections help_;
     Question question_;
     bool paused_ = false;
-    // Of the frame whose steps are made.
+    // controls of the frame whose steps are made
     const Controls* controls_ = nullptr;
     TorchSource held_;
 };

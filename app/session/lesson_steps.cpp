@@ -1,4 +1,4 @@
-// The part of LessonSession that leads the metal's steps by what the person does in a frame.
+// The part of LessonSession that leads the metal's steps by the person's input of a frame.
 #include "app/session/lesson_session.hpp"
 
 #include "core/base/error.hpp"

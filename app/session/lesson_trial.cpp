@@ -1,11 +1,11 @@
-// The part of LessonSession that measures, before an attempt for score, whether the machine keeps up.
+// The part of LessonSession that measures, before an attempt for score, if the machine keeps up.
 #include "app/session/lesson_session.hpp"
 #include "core/base/error.hpp"
 #include "core/base/words.hpp"
 
 namespace meltpool {
 
-/// Makes the metal of the trial's current offer, and finds where its demonstration begins to heat.
+/// Makes the metal of the trial's current offer, and finds when its demonstration begins to heat.
 void LessonSession::beginTrial() {
     makeMetal();
     SpeedTrial& trial = activities_.trial;
@@ -21,7 +21,7 @@ void LessonSession::nextTrial(SpeedTrial::Verdict verdict) {
     while (verdict == SpeedTrial::Verdict::another) {
         try {
             return beginTrial();
-        } catch (const InputError&) { // a workpiece may have no room for such coarse particles
+        } catch (const InputError&) { // a workpiece may be too small for such coarse particles
             verdict = activities_.trial.skip();
         }
     }

@@ -7,7 +7,7 @@ namespace meltpool {
 
 namespace {
 
-/// The lesson with its machine as the trainee finds it.
+/// Lesson with its machine set as the trainee finds it.
 Lesson machineAtStart(Lesson lesson) {
     lesson.takeStartSettings();
     return lesson;

@@ -1,4 +1,4 @@
-// The values of the open lesson: as its file has them, as menus have set them, and as the running metal has them.
+// The values of the open lesson: those of its file, those set in menus, and those of the running metal.
 #pragma once
 
 #include "app/session/lesson_sections.hpp"
@@ -15,8 +15,8 @@ class LessonValues {
     LessonValues(const LessonValues&) = delete;
     LessonValues& operator=(const LessonValues&) = delete;
 
-    /// Takes another lesson, with the values of its file; forScore() stays. What sections()
-    /// answered before is gone.
+    /// Takes another lesson, with the values of its file; forScore() stays. Earlier results of sections() become
+    /// invalid.
     void open(Lesson lesson);
 
     Lesson& lesson() { return lesson_; }
@@ -25,29 +25,29 @@ class LessonValues {
     const LessonSections& sections() const { return *sections_; }
     bool forScore() const { return sections_->attempt.forScore; }
 
-    /// The lesson's own settings of the machine. `machineChosen`: the person has others.
+    /// The lesson's own settings of the machine. `machineChosen`: the person has changed them.
     const ProcessSettings& given() const { return given_; }
     bool machineChosen() const;
     /// See Lesson::chosenText().
     std::string chosenText() { return lesson_.chosenText(); }
-    /// The workpiece, or the classic metal's particles, are others than the lesson's file says.
+    /// True if the workpiece, or the classic metal's particles, differ from the lesson's file.
     bool workpieceChanged() { return sections_->workpieceChanged(lesson_); }
-    /// Settings of the machine that the lesson gives are others than its own.
+    /// True if settings of the machine that the lesson gives differ from its own.
     bool settingsChanged() const { return sections_->machineChanged(lesson_); }
 
-    /// From now on apply() brings the menus' values to this metal.
+    /// Connects this metal: apply() brings the menus' values to it.
     void follow(Trainer& trainer);
     void unfollow();
     bool followed() const { return !wanted_.empty(); }
-    /// Makes the changes that the menus made since the last call.
+    /// Applies the menus' changes since the last call.
     void apply(Trainer& trainer);
 
   private:
     ProcessSettings given_;
     Lesson lesson_;
-    std::optional<LessonSections> sections_; ///< of lesson_; always there
-    ParameterList wanted_;                   ///< the live values of metal and process as the menus have them
-    ParameterList running_;                  ///< those of the running metal
+    std::optional<LessonSections> sections_; ///< sections of lesson_; never empty
+    ParameterList wanted_;                   ///< live values of metal and process in the menus
+    ParameterList running_;                  ///< live values of the running metal
 };
 
 } // namespace meltpool

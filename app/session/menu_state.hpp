@@ -1,18 +1,18 @@
-// Which menus are open, and what a person asks for in them.
+// Open menus, and a person's requests in them.
 #pragma once
 
 #include "core/base/parameter.hpp"
 
 namespace meltpool {
 
-/// Which panels of the window are open.
+/// Open panels of the window.
 struct PanelState {
     bool view = false;
     bool simulation = true;
     bool timings = false;
-    bool result = false; ///< the attempt judged
+    bool result = false; ///< result of the judged attempt
     bool help = false;
-    bool hidden = false; ///< no panel is shown
+    bool hidden = false; ///< true: no panel is shown
 };
 ParameterList describe(PanelState& panels);
 
@@ -24,27 +24,27 @@ struct Place {
     float y = 0;
     float width = 0;
     float height = 0;
-    unsigned frame = 0; ///< in which it was last drawn there
+    unsigned frame = 0; ///< frame in which it was last drawn there
 };
 
 } // namespace ui
 
-/// What a person asked for with a button.
+/// Requests of a person by button.
 enum class MenuRequest {
     none,
     home,              ///< the list of lessons
-    openLesson,        ///< the one that is chosen in it
+    openLesson,        ///< the lesson chosen in the list
     next,              ///< the lesson that follows this one
-    start,             ///< the lesson, with the values as they stand
+    start,             ///< the lesson, with the current values
     demonstrate,       ///< the lesson's demonstration
-    replay,            ///< the kept attempt that is chosen in their list
-    ghost,             ///< an attempt of one's own, with the chosen one's torch beside
-    compare,           ///< the two kept attempts that were marked
+    replay,            ///< the stored attempt chosen in the list
+    ghost,             ///< an attempt of one's own, with the chosen one's torch as a ghost
+    compare,           ///< the two marked stored attempts
     startWithDefaults, ///< the lesson, with its own values
     reset,             ///< another attempt
     restart,           ///< back to the lesson's first page
     judge,
-    page, ///< of the judged attempt, written as a file
+    page, ///< the judged attempt's page, written as a file
     redo, ///< back to before the chosen fault, or some seconds
     cut   ///< the weld open, or closed again
 };

@@ -27,7 +27,7 @@ void Messages::hold(std::string_view text, std::string_view topic) {
     if (dismissed != dismissed_.end() && dismissed->second == text) return;
     for (Message& m : shown_) {
         if (m.topic != topic || !std::isinf(m.until)) continue;
-        if (m.text != text) m.text.assign(text); // in its place, and within its room where it fits
+        if (m.text != text) m.text.assign(text); // assigns in place: a text that fits the capacity allocates nothing
         return;
     }
     add({Message::Kind::warning, std::string(text), std::numeric_limits<double>::infinity(), std::string(topic)});

@@ -1,4 +1,4 @@
-// Short messages that stand on the screen for a while: settings set aside, a shader that failed, a picture saved.
+// Short messages that stay on the screen for a while: settings ignored, a shader that failed, a picture saved.
 #pragma once
 
 #include <deque>
@@ -12,22 +12,22 @@ struct Message {
     enum class Kind { note, warning };
     Kind kind = Kind::note;
     std::string text;
-    double until = 0;  ///< seconds on the program's clock; infinite: until clear() or dismiss()
+    double until = 0;  ///< s on the program's clock; infinite: until clear() or dismiss()
     std::string topic; ///< a newer message of the same topic replaces the older; "" never replaces
 };
 
-/// The topic of the message that the metal is slower than the clock.
+/// Topic of the message that the metal is slower than the clock.
 inline constexpr std::string_view kSlowTopic = "slow";
 
 class Messages {
   public:
-    /// `now` in seconds on the program's clock.
+    /// Shows a text. `now`: s on the program's clock.
     void note(std::string text, double now, std::string topic = {});
     void warn(std::string text, double now, std::string topic = {});
-    /// A warning that is shown until clear(topic), for a fault that persists.
+    /// Shows a warning until clear(topic), for a fault that persists.
     void hold(std::string_view text, std::string_view topic);
     void clear(std::string_view topic);
-    /// Hides one of shown(). A held one stays hidden until its text changes or clear() was called.
+    /// Hides one of shown(). A held one stays hidden until its text changes or clear() is called.
     void dismiss(const Message& message);
 
     /// Removes messages whose time is over.
@@ -39,7 +39,7 @@ class Messages {
     void take(std::string_view topic);
     std::deque<Message> shown_;
     std::map<std::string, std::string, std::less<>>
-        dismissed_; ///< topic and text of held messages that the person put away
+        dismissed_; ///< topic and text of held messages that the person dismissed
 };
 
 } // namespace meltpool

@@ -10,7 +10,7 @@ namespace meltpool {
 
 namespace {
 
-/// In the order of NoArc; empty: nothing to tell. Each key stands whole: to put one together allocates.
+/// Keys in the order of NoArc; empty: no notice. Each key is written whole: composing one would allocate.
 constexpr std::array<std::string_view, 12> kKeys{
     "",
     "",
@@ -27,7 +27,7 @@ constexpr std::array<std::string_view, 12> kKeys{
 };
 static_assert(kKeys.size() == static_cast<size_t>(NoArc::usedUp) + 1);
 
-/// A covered electrode strikes by touch; while it touches, nothing is wrong yet.
+/// Key for a covered electrode, which strikes by touch; its touching is no fault yet.
 std::string_view touchKey(NoArc reason) {
     if (reason == NoArc::tooLong) return "notice.arc_by_touch.too_long";
     if (reason == NoArc::metalLeft) return "notice.arc_by_touch.metal_left";
@@ -36,7 +36,7 @@ std::string_view touchKey(NoArc reason) {
     return kKeys[static_cast<size_t>(reason)];
 }
 
-/// A wire strikes again by itself when it reaches the metal.
+/// Key for a wire, which strikes again by itself when it reaches the metal.
 std::string_view wireKey(NoArc reason) {
     if (reason == NoArc::tooLong) return "notice.arc_by_wire.too_long";
     if (reason == NoArc::metalLeft) return "notice.arc_by_wire.metal_left";
@@ -64,7 +64,7 @@ std::string_view SlowNotice::update(double speed, double elapsed) {
     told_ = told_ ? speed <= kKeepsUp : slowFor_ >= kPatience;
     if (!told_) return {};
     const double percent = speed * 100;
-    // In steps of 5 %, so that the number can be read.
+    // Rounded to 5 %, so that the number stays readable.
     const double shown = percent < 10 ? std::fmax(1.0, std::round(percent)) : 5 * std::round(percent / 5);
     const PhraseNumber number(shown);
     text_.clear();
@@ -89,7 +89,7 @@ void Notices::update(LessonSession& session, LessonFigures& figures, const Trigg
     figures.slow = {};
     std::string_view sentence;
     if (session.activities().allowed().ownTorch) {
-        if (!session.paused()) figures.slow = slow_.update(figures.speed, elapsed); // else the metal stands
+        if (!session.paused()) figures.slow = slow_.update(figures.speed, elapsed); // a paused metal has no speed
         sentence = arc_.update(session.run().arc(), traitsOf(session.lesson().process).striking, elapsed);
         if (session.attempt().cues().withheld(CueKind::arc)) sentence = {};
         if (lock.holdsBack()) sentence = arcOutSentence(lock.reason());

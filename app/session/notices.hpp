@@ -1,5 +1,5 @@
-// What a person must be told while they weld, in one sentence each for window and headset: why there is no arc, that
-// the metal is slow, and that an attempt is not recorded.
+// Notices for a person while they weld, one sentence each for window and headset: why there is no arc, that the metal
+// is slow, and that an attempt is not recorded.
 #pragma once
 
 #include "app/session/lesson_figures.hpp"
@@ -12,29 +12,29 @@
 
 namespace meltpool {
 
-/// Why an arc that the trigger asks for does not burn; empty: it does, or nobody asks.
+/// Reason why an arc that the trigger asks for does not burn; empty: it burns, or the trigger is not pulled.
 class ArcNotice {
   public:
-    /// s that an arc may take to strike, and a wire may stub, before a word is said.
+    /// s that an arc may take to strike, and a wire may stub, before a notice.
     static constexpr double kPatience = 0.5;
 
-    /// Takes the state of the last step. `elapsed`: real seconds since the last call.
+    /// Takes the state of the last step and returns the notice. `elapsed`: s of real time since the last call.
     std::string_view update(const ArcState& arc, Striking striking, double elapsed);
 
   private:
-    double waiting_ = 0; ///< s that the arc has not struck, or the wire has stubbed
+    double waiting_ = 0; ///< s that the arc has failed to strike, or the wire has stubbed
 };
 
-/// Whether the metal runs slower than the person's hand.
+/// Notice that the metal runs slower than the person's hand.
 class SlowNotice {
   public:
-    static constexpr double kSlow = 0.95, kKeepsUp = 0.97; ///< of real time
+    static constexpr double kSlow = 0.95, kKeepsUp = 0.97; ///< limits as shares of real time
     static constexpr double kPatience = 0.5;               ///< s
 
-    /// A few words for a row of figures; empty: it keeps up. `speed`: of the metal over real time. Both texts are valid
-    /// until the next call, which takes their room.
+    /// Returns a few words for a row of figures; empty: it keeps up. `speed`: of the metal over real time. Both texts
+    /// are valid until the next call, which reuses their memory.
     std::string_view update(double speed, double elapsed);
-    /// The same as a sentence, and what it means for the weld; of the last time that there were words.
+    /// Sentence for the last words, with the consequence for the weld.
     std::string_view sentence() const { return sentence_; }
 
   private:
@@ -43,15 +43,15 @@ class SlowNotice {
     bool told_ = false;
 };
 
-/// Holds or clears the message "recording", and warns of recordings that were removed. `now`: on the program's clock,
-/// s. To be called in each frame. Allocates nothing while nothing changes.
+/// Holds or clears the message "recording", and warns of recordings that were removed. `now`: s on the program's clock.
+/// Call it in each frame. Allocates nothing while nothing changes.
 void tellRecordings(RecordingKeeper& recordings, double now, Messages& messages);
 
 class Notices {
   public:
-    /// Holds or clears the messages "arc", "ghost", "visor" and kSlowTopic, and sets figures.slow. `lock`: of what
-    /// leads the torch. Why the arc is out is a cue: it is told where that is not withheld, and that the trigger is
-    /// locked always. Allocates nothing while nothing changes.
+    /// Holds or clears the messages "arc", "ghost", "visor" and kSlowTopic, and sets figures.slow. `lock`: of the
+    /// torch's leader. The reason of a missing arc is a cue: it appears unless cues are withheld; a locked trigger is
+    /// always shown. Allocates nothing while nothing changes.
     void update(LessonSession& session, LessonFigures& figures, const TriggerLock& lock, double elapsed,
                 Messages& messages);
 

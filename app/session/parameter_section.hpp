@@ -11,33 +11,33 @@
 
 namespace meltpool {
 
-/// A parameter's values before anyone touched them, as text by key, so that a control can restore them.
+/// Values of parameters before any change, as text by key, so that a control can restore them.
 using DefaultTexts = std::map<std::string, std::string, std::less<>>;
 
 struct ParameterSection {
-    /// The defaults are the values that the parameters hold now.
+    /// Takes the parameters' current values as the defaults.
     ParameterSection(std::string theName, ParameterList list);
 
-    std::string name; ///< begins the names of its controls, and is its table in the settings file
-    /// The table of its labels and tooltips in a language's file; the name where nothing else is set.
+    std::string name; ///< prefix of its controls' names, and its table in the settings file
+    /// Table of its labels and tooltips in a language's file; `name` by default.
     std::string words;
     ParameterList parameters;
     DefaultTexts defaults;
-    /// Keys that menus leave out, since they do nothing in the lesson at hand. Files and `--set` take them.
+    /// Keys that menus leave out, because they have no effect in this lesson. Files and `--set` take them.
     std::span<const std::string_view> idle;
 
-    /// Keys that a trainee sets; the others stand in the expert drawer. Empty: a trainee sets all of them.
+    /// Keys that a trainee sets; the others are in the expert drawer. Empty: a trainee sets all of them.
     std::span<const std::string_view> everyday;
 
-    /// Keys that the trainee chooses; all others are given by the lesson while `fixed` (null: never) holds.
+    /// Keys that the trainee chooses; the lesson gives all others while `fixed` holds (null: never).
     std::vector<std::string> chosen;
     const bool* fixed = nullptr;
 
-    /// The trainee cannot change the parameter now: menus show it without a control.
+    /// True if the trainee cannot change the parameter now: menus show it without a control.
     bool isGiven(const Parameter& parameter) const;
-    /// The parameter belongs into the expert drawer.
+    /// True if the parameter belongs in the expert drawer.
     bool isExpert(const Parameter& parameter) const;
-    /// Menus show the parameter.
+    /// True if menus show the parameter.
     bool shows(const Parameter& parameter) const;
 };
 

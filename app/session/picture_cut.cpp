@@ -34,10 +34,10 @@ bool LessonPicture::closeCut(Controls& controls) {
     return true;
 }
 
-/// Square before the cut, on the side that is taken away, at a distance from which all measures are seen. A seam that
-/// stands upright is looked at from above, turned so that the workpiece's own y points up in the picture.
+/// Places the camera square before the cut, on the removed side, at a distance from which all measures are visible. An
+/// upright seam is viewed from above, turned so that the workpiece's y points up in the picture.
 void LessonPicture::placeCameraBeforeCut(Controls& controls) const {
-    constexpr float kUpright = 0.99f; // of the way to the camera
+    constexpr float kUpright = 0.99f; // cosine towards the vertical
     constexpr double kPicture = 4.2;  // height of the picture in extents of the measures
     const glm::mat3 turn = fixture().turn;
     const glm::vec3 way = turn * glm::vec3(1, 0, 0), up = turn * glm::vec3(0, 1, 0);
@@ -49,7 +49,7 @@ void LessonPicture::placeCameraBeforeCut(Controls& controls) const {
 }
 
 void LessonPicture::moveCut(const Controls& controls) {
-    constexpr double kArrow = 1e-3, kPoint = 0.1e-3; // m an arrow key, a point of the mouse's way
+    constexpr double kArrow = 1e-3, kPoint = 0.1e-3; // m per arrow key, and per point of mouse travel
     const InputFrame& hand = controls.hand();
     double way = kPoint * static_cast<double>(hand.dragMove.x);
     for (const Key key : hand.pressed)
@@ -58,13 +58,13 @@ void LessonPicture::moveCut(const Controls& controls) {
     cut_.update(*trainer(), source_.activities.attempt.judging());
 }
 
-/// The middle of the cut comes to where the camera looks.
+/// Moves the middle of the cut to the point that the camera looks at.
 void LessonPicture::standBeforeCut(SceneView& scene, View& view) {
     const glm::vec3 middle = scene.modelToWorld * glm::vec4(scene.section.at, 0, 0, 1);
     view.worldToEye = glm::translate(view.worldToEye, -middle);
     view.eye += middle;
     scene.section.strokes = cut_.strokes(layoutIn(view, scene.modelToWorld, scene.section.at));
-    scene.room.shown = false; // the cut metal by itself
+    scene.room.shown = false; // shows only the cut metal
 }
 
 } // namespace meltpool

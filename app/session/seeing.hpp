@@ -1,4 +1,4 @@
-// What an eye sees of the arc, for the visor before it: the same for the window and the headset.
+// The arc as an eye sees it, for the visor before it: one rule for the window and the headset.
 #pragma once
 
 #include "core/render/effects/worn_visor.hpp"
@@ -11,10 +11,10 @@
 
 namespace meltpool {
 
-/// Of the arc in this scene, for an eye or the middle between two. `length`: m, of the arc.
+/// Arc of this scene for an eye, or for the middle between two. `length`: m, of the arc.
 inline SeenArc seenArc(const SceneView& scene, const View& eye, float length) {
-    constexpr float kShortest = 1.6e-3f; // m, as the arc is drawn
-    constexpr float kSight = 0.64f;      // cosine of 50 degrees: farther beside the gaze an arc dazzles little
+    constexpr float kShortest = 1.6e-3f; // m, the least length that is drawn
+    constexpr float kSight = 0.64f;      // cosine of 50 degrees: farther from the gaze an arc dazzles little
     SeenArc seen;
     seen.intensity = static_cast<double>(scene.arc.intensity.g);
     if (seen.intensity <= 0) return seen;

@@ -23,7 +23,7 @@ std::string place(const fs::path& file, const toml::node& node) {
     return file.string() + ":" + std::to_string(node.source().begin.line);
 }
 
-/// The value as the text that setParameter() reads; "" for a type that no parameter has.
+/// Value as the text that setParameter() reads; "" for a type that no parameter has.
 std::string valueText(const toml::node& node) {
     if (const auto* text = node.as_string()) return text->get();
     if (const auto* flag = node.as_boolean()) return flag->get() ? "true" : "false";
@@ -73,7 +73,7 @@ std::string tomlText(const std::string& text) {
     return out + "\"";
 }
 
-/// A number with a decimal point or exponent, so that a reader keeps it a real number.
+/// Number with a decimal point or exponent, so that a reader takes it as a real number.
 std::string realText(float value) {
     const std::string text = formatNumber(value);
     return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
@@ -89,14 +89,14 @@ std::string tomlValue(const Parameter& p) {
     return parameterText(p);
 }
 
-/// `again`: faults that were told before are not told again.
+/// Reads the file. `again`: reports only faults that were not reported before.
 std::vector<std::string> readSettings(const fs::path& file, const std::vector<SettingsSection>& sections, bool again) {
     std::vector<std::string> faults;
     std::error_code unreadable;
     if (!fs::exists(file, unreadable)) return faults;
     bool broken = false;
     try {
-        // Opening a pipe would wait for its writer.
+        // A pipe would block until its writer opens it.
         if (!isPlainFile(file)) throw InputError(file, 0, "is no settings file; expected a text file");
         readSections(file, parseTomlFile(file), sections, faults);
     } catch (const std::exception& fault) {
@@ -110,7 +110,7 @@ std::vector<std::string> readSettings(const fs::path& file, const std::vector<Se
     return faults;
 }
 
-/// Sections of the same values, in a place of their own.
+/// Sections of these values with storage of their own.
 class SettingsCopy {
   public:
     explicit SettingsCopy(const std::vector<SettingsSection>& sections) : sections_(sections) {
@@ -132,7 +132,7 @@ class SettingsCopy {
     }
 
     std::vector<SettingsSection> sections_;
-    std::deque<Value> values_; ///< stay where they are
+    std::deque<Value> values_; ///< a deque, because the sections point to the values
 };
 
 } // namespace

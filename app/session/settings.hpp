@@ -22,20 +22,20 @@ struct SettingsSection {
 /// values out of range is copied to that name and its valid values are used. Never throws for the contents of the file.
 std::vector<std::string> loadSettings(const std::filesystem::path& file, const std::vector<SettingsSection>& sections);
 
-/// The values of sections as text, by section and key.
+/// Values of sections as text, by section and key.
 using SettingsValues = std::map<std::pair<std::string, std::string>, std::string>;
 SettingsValues valuesOf(const std::vector<SettingsSection>& sections);
 
-/// The file's text, every value with its label, unit and range as a comment.
+/// Text of the file, every value with its label, unit and range as a comment.
 std::string settingsText(const std::vector<SettingsSection>& sections);
 
-/// Throws InputError or RuntimeFault where saveSettings() would; makes the folder. Answers a sentence for the person
-/// where the folder has no locks, so that two programs that save at the same moment may lose values; else nothing.
+/// Throws InputError or RuntimeFault if saveSettings() would; creates the folder. Returns a sentence for the person if
+/// the folder has no locks, so that two programs that save at one moment may lose values; otherwise an empty string.
 std::string requireSavableSettings(const std::filesystem::path& file);
 
-/// Writes the file atomically, making its folder. Values that are as in `before`, which they were at the start, stay as
-/// the file has them by now: another program that runs beside this one may have changed them. Answers as loadSettings()
-/// for faults that have come into the file since. Throws InputError or RuntimeFault when writing fails.
+/// Writes the file atomically and creates its folder. Values equal to those in `before`, taken at the start, stay as
+/// the file has them: another program may have changed them since. Returns sentences as loadSettings() does, for faults
+/// that came into the file since. Throws InputError or RuntimeFault when writing fails.
 std::vector<std::string> saveSettings(const std::filesystem::path& file, const std::vector<SettingsSection>& sections,
                                       const SettingsValues& before = {});
 

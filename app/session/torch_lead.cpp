@@ -12,7 +12,7 @@ namespace meltpool {
 
 namespace {
 
-/// `turn`: from the workpiece's frame to the room's, in which the source is steered.
+/// Torch of the source. `turn`: from the workpiece's frame to the room's, in which the source is steered.
 TorchSample torchOf(const SteeredSource& source, const glm::mat3& turn) {
     const glm::mat3 toWorkpiece = glm::transpose(turn);
     TorchSample sample;

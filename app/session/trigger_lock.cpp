@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view kGroup = "notice.arc_out.";
 
-/// Keys of the sentences, in the order of ArcOut; what follows the group is the word for records.
+/// Keys of the sentences in the order of ArcOut; the part after the group is the word for records.
 constexpr std::array<std::string_view, 15> kKeys{
     "notice.arc_out.recentred",  "notice.arc_out.zoomed",       "notice.arc_out.hand",
     "notice.arc_out.holder",     "notice.arc_out.table",        "notice.arc_out.jump",

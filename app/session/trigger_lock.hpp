@@ -1,47 +1,47 @@
-// Keeps the heat off until the trigger (or the mouse's button) has been let go.
+// The lock that keeps the heat off until the trigger (or the mouse's button) is released.
 #pragma once
 
 #include <string_view>
 
 namespace meltpool {
 
-/// Why the heat went out although the trigger was not let go.
+/// Reasons why the heat went out although the trigger was not released.
 enum class ArcOut {
-    recentred,     ///< the workshop was brought before the person
+    recentred,     ///< the workshop was centred on the person
     zoomed,        ///< the workpiece is shown at another size
     handChanged,   ///< the torch went to the other hand
     holderChanged, ///< from the controller to a tracker or back
-    tableMoved,    ///< posture or height of the table
-    tipJumped,     ///< faster than a hand moves
-    torchLost,     ///< out of sight, or its controller is off
+    tableMoved,    ///< posture or height of the table changed
+    tipJumped,     ///< the tip jumped faster than a hand moves
+    torchLost,     ///< the torch is out of sight, or its controller is off
     runtimeLost,   ///< the headset's runtime has stopped or does not answer
-    notFocused,    ///< the headset shows another program, or nobody wears it
-    takenOver,     ///< by the mouse, or by the hand
+    notFocused,    ///< the headset shows another program, or is not worn
+    takenOver,     ///< the mouse, or the hand, took over
     paused,        ///< the person looks around
-    lessonBegan,   ///< or was reset
+    lessonBegan,   ///< the lesson began or was reset
     panel,         ///< the trigger was pulled at the panel
-    measuring,     ///< the torch's tip or direction
-    redone,        ///< the attempt went back to an earlier moment
+    measuring,     ///< the torch's tip or direction is measured
+    redone,        ///< the attempt went back to an earlier checkpoint
 };
 
-/// The word for records: "recentred", "zoomed" ...
+/// Word for records: "recentred", "zoomed" ...
 std::string_view arcOutName(ArcOut reason);
-/// The sentence for the person.
+/// Sentence for the person.
 std::string_view arcOutSentence(ArcOut reason);
 
 class TriggerLock {
   public:
-    /// Travel of the trigger, 0..1, up to which it counts as let go.
+    /// Travel of the trigger, 0..1, up to which it counts as released.
     static constexpr float kLetGo = 0.05f;
 
-    /// Puts the heat out. The first reason stays until the trigger is let go.
+    /// Puts the heat out. The first reason stays until the trigger is released.
     void lock(ArcOut reason);
-    /// The travel that counts in this frame. `seen`: it is measured now; a trigger that is not counts as neither pulled
-    /// nor let go.
+    /// Returns the travel that counts in this frame. `seen`: it is measured now; an unmeasured trigger counts as
+    /// neither pulled nor released.
     float pass(float travel, bool seen = true);
 
     bool locked() const { return locked_; }
-    /// The person pulls a locked trigger.
+    /// True while the person pulls a locked trigger.
     bool holdsBack() const { return locked_ && pulled_; }
     ArcOut reason() const { return reason_; }
 

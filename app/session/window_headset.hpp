@@ -1,4 +1,4 @@
-// The headset as the window's frame drives it: what window and headset know of each other.
+// The headset as the window's frame drives it: the interface between window and headset.
 #pragma once
 
 #include "app/session/headset_status.hpp"
@@ -17,52 +17,52 @@
 
 namespace meltpool {
 
-/// A frame is begin(), the lesson's steps with torch(), draw(), end(). While the headset wants no frame, begin()
-/// answers false and the others do nothing.
+/// The headset of a window. A frame is begin(), the lesson's steps with torch(), draw(), end(). While the headset wants
+/// no frame, begin() returns false and the others are no-ops.
 class WindowHeadset {
   public:
     virtual ~WindowHeadset() = default;
 
-    /// The headset's own values, for menus and the settings file.
+    /// Values of the headset itself, for menus and the settings file.
     virtual ParameterSection& section() = 0;
 
     /// Waits for the headset's next frame and reads the hands. False: there is none now, and the window continues
-    /// without it. `session` may be without a running lesson. `elapsed`: real seconds since the last call.
+    /// without it. `session` may have no running lesson. `elapsed`: s of real time since the last call.
     virtual bool begin(LessonSession& session, const Home& home, double elapsed) = 0;
-    /// The torch for the lesson's steps where the hand leads it; empty: the mouse does.
+    /// Torch for the lesson's steps if the hand leads it; empty: the mouse does.
     virtual TorchSource torch() = 0;
-    /// Of the hand that leads the torch.
+    /// Lock of the hand that leads the torch.
     virtual const TriggerLock& triggerLock() const = 0;
-    /// Draws both eyes with the warnings of `messages`, and the panel where it is open, and sets the vibration. Answers
-    /// what was asked for on the panel.
+    /// Draws both eyes with the warnings of `messages`, and the panel if it is open, and sets the vibration. Returns
+    /// the request made on the panel.
     virtual MenuRequest draw(LessonSession& session, Home& home, const LessonFigures& figures, const Messages& messages,
                              double elapsed, gl::Profiler* profiler) = 0;
-    /// Where the lesson's arc is from the head, m in its directions (x to the right, z backwards). Nothing while the
-    /// head is not tracked or no lesson runs.
+    /// Position of the lesson's arc relative to the head, m in its directions (x to the right, z backwards). Nothing
+    /// while the head is not tracked or no lesson runs.
     virtual std::optional<glm::vec3> arcFromHead(const LessonSession& session) const = 0;
-    /// The size at which the workpiece is shown, 1 is real.
+    /// Scale at which the workpiece is shown; 1 is real.
     virtual float zoom() const = 0;
     /// Submits the frame to the runtime.
     virtual void end() = 0;
 
-    /// Fills the window's frame buffer of `pixels` with the left eye's picture, cut to the window's shape. False where
-    /// the person does not want it or there is no picture.
+    /// Fills the window's frame buffer of `pixels` with the left eye's picture, cut to the window's shape. Returns
+    /// false if the person does not want it or there is no picture.
     virtual bool mirror(glm::ivec2 pixels) = 0;
 
-    /// There is no headset to be hoped for; see sentence().
+    /// True if no headset can be expected; see sentence().
     virtual bool hopeless() const = 0;
-    /// How often a headset was opened.
+    /// Count of times a headset was opened.
     virtual int openings() const = 0;
-    /// What the headset does, or why there is none, as a sentence.
+    /// Sentence about the headset's activity, or why there is none.
     virtual std::string sentence() const = 0;
-    /// A warning for the trainee and the teacher; empty while all is well.
+    /// Warning for the trainee and the teacher; empty without one.
     virtual std::string_view warning() const = 0;
-    /// For the window's telemetry.
+    /// State for the window's telemetry.
     virtual HeadsetStatus status() const = 0;
 };
 
-/// Makes the headset of a window whose OpenGL context is current. The argument is the folder where the torch's
-/// calibrations are kept. Empty: no headset is looked for.
+/// Makes the headset of a window whose OpenGL context is current. The argument is the folder of the torch's
+/// calibrations. Empty: no headset is looked for.
 using HeadsetMaker = std::function<std::unique_ptr<WindowHeadset>(const std::filesystem::path& folder)>;
 
 } // namespace meltpool
