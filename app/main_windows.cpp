@@ -1,4 +1,4 @@
-// The program's entry under Windows.
+// The program's entry on Windows.
 #include "app/commands/command_line.hpp"
 #include "app/platform/console_windows.hpp"
 #include "app/platform/crash_report_windows.hpp"
@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-// Laptops with two graphics cards give the program the faster one where it exports these.
+// Laptops with two graphics cards give the program the faster one if it exports these.
 extern "C" {
 __declspec(dllexport) DWORD NvOptimusEnablement = 1;
 __declspec(dllexport) int AmdPowerXpressRequestHighPerformance = 1;
@@ -19,7 +19,7 @@ __declspec(dllexport) int AmdPowerXpressRequestHighPerformance = 1;
 
 namespace {
 
-/// While it lives waits end within a millisecond of their time; else Windows rounds them to 15.6 ms.
+/// Timer resolution of 1 ms during its lifetime; by default Windows rounds waits to 15.6 ms.
 struct FineTimer {
     FineTimer() { timeBeginPeriod(1); }
     ~FineTimer() { timeEndPeriod(1); }

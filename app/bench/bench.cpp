@@ -37,7 +37,7 @@ std::string today() {
     return text;
 }
 
-/// The processor's name where the system tells it.
+/// Name of the processor, if the system has it.
 std::string processorName() {
     std::ifstream stream("/proc/cpuinfo");
     for (std::string line; std::getline(stream, line);)
@@ -45,7 +45,7 @@ std::string processorName() {
     return "unknown";
 }
 
-/// Programs that wanted a processor at a time over the last minute, this one among them; -1 where nobody counts.
+/// Programs that wanted a processor at a time over the last minute, this one among them; -1 if the system has no count.
 double loadAverage() {
     double load = -1;
     std::ifstream("/proc/loadavg") >> load;
@@ -63,7 +63,8 @@ void printRow(const BenchRow& row) {
     std::fflush(stdout);
 }
 
-/// Runs a part as far as it comes; what ended it early, so that the rows before that can be kept first.
+/// Runs a part as far as it comes and returns the fault that ended it early, so that the rows before it can be written
+/// first.
 std::exception_ptr faultOf(const BenchPart& part, Bench& bench) {
     try {
         part.run(bench);
@@ -172,7 +173,7 @@ void runBench(const std::string& suite, const std::filesystem::path& jsonFile) {
     std::optional<FileLock> lock;
     if (keeps) tellUnlocked(lock.emplace(jsonFile.string() + ".lock", jsonFile));
     std::vector<BenchRow> rows;
-    // A report that cannot be kept is found out before the minutes that it takes.
+    // A report that cannot be written must fail now, not after the minutes of measuring.
     if (keeps) writeTextFileAtomically(jsonFile, benchJson(context.info(), rows, false));
     gl::ShaderLibrary shaders(resourceFolder() / "shaders");
     std::printf("%s, %s; %s, %u threads%s; meltpool %s\n", context.info().renderer.c_str(),

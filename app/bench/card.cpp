@@ -21,24 +21,24 @@ using Clock = std::chrono::steady_clock;
 
 constexpr float kSpacing = 1e-3f;  // m
 constexpr float kLiquid = 1900;    // K, of steel
-constexpr int kLeastRepeats = 5;   // of what is timed
+constexpr int kLeastRepeats = 5;   // count of timed repeats
 constexpr int kSmallestPool = 256; // particles
 constexpr int kPoolGrowth = 4;
-constexpr unsigned kSubsteps = 8;    // of a step
-constexpr int kSamples = 4;          // of a pixel, as in the headset
-constexpr float kEyeDistance = 1.6f; // of the lesson's world: both eyes over one another's halves of the bead
-constexpr double kOften = 0.99;      // of frames that a headset must have in time
+constexpr unsigned kSubsteps = 8;    // count in a step
+constexpr int kSamples = 4;          // samples of a pixel, as in the headset
+constexpr float kEyeDistance = 1.6f; // units of the lesson's world: each eye over its half of the bead
+constexpr double kOften = 0.99;      // share of frames that a headset must have in time
 
 double millisecondsOfProcessor(std::clock_t since) {
     return static_cast<double>(std::clock() - since) * 1e3 / CLOCKS_PER_SEC;
 }
 
-/// Wall times (ms) of a work that is waited for, until `seconds` have passed.
+/// Wall times (ms) of work that is waited for, until `seconds` have passed.
 struct Times {
     std::vector<double> wall;
     double processor = 0; ///< ms of all threads, mean
 
-    /// `between`: before each repeat, not timed.
+    /// Times `work`. `between` runs before each repeat, untimed.
     template <typename Work, typename Between>
     Times(double seconds, int repeats, const Work& work, const Between& between) {
         const auto begin = Clock::now();
@@ -81,7 +81,7 @@ struct Times {
     }
 };
 
-/// A cube of free liquid that nothing pulls: each particle has all its neighbours, as deep in a pool.
+/// Cube of free liquid without forces: each particle has all its neighbours, as deep in a pool.
 std::vector<MetalSeed> pool(int edge) {
     std::vector<MetalSeed> seeds;
     for (int z = 0; z < edge; ++z)
@@ -92,7 +92,7 @@ std::vector<MetalSeed> pool(int edge) {
     return seeds;
 }
 
-/// The row of one pool.
+/// Row of one pool.
 BenchRow poolRow(Bench& bench, const Material& metal, int edge, const CardLimits& limits) {
     const std::vector<MetalSeed> seeds = pool(edge);
     const float size = static_cast<float>(edge) * kSpacing, air = 4 * kSpacing;
@@ -108,7 +108,7 @@ BenchRow poolRow(Bench& bench, const Material& metal, int edge, const CardLimits
     Flow flow(bench.shaders(), state, fluid, space);
     const double substep = flow.constants().longestStep;
     const auto step = [&] { flow.step(kSubsteps * substep, kSubsteps, nullptr); };
-    step(); // makes room
+    step(); // allocates
     // A quarter of the row's time: there are up to six.
     const Times times(limits.seconds / 4, limits.repeats, step);
     BenchRow row = times.row("eight substeps of a pool", seeds.size());
@@ -194,7 +194,7 @@ void benchCard(Bench& bench) {
     Lesson lesson = findLesson("gmaw-bead", resourceFolder() / "data" / "lessons");
     measureWeldAndEyes(bench, lesson, limits);
     lesson.set("spacing_mm", "0.5", "bench");
-    lesson.surface.cells *= 2; // cells of as many particles
+    lesson.surface.cells *= 2; // cells for as many particles
     lesson.key += " at 0.5 mm";
     measureWeldAndEyes(bench, lesson, limits);
 }

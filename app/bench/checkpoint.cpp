@@ -1,4 +1,4 @@
-// What it costs to save the whole state of a weld, to pack it and to go back to it, and how many bytes it takes.
+// The cost of a checkpoint: saving the whole state of a weld, packing it and going back to it, and its size in bytes.
 #include "app/bench/bench.hpp"
 #include "app/bench/parts.hpp"
 #include "core/base/resources.hpp"
@@ -10,7 +10,7 @@ namespace meltpool {
 namespace {
 
 constexpr double kWelded = 4;    ///< s of the demonstration
-constexpr double kReference = 3; ///< s, of the moment before that it is packed against
+constexpr double kReference = 3; ///< s, time of the earlier checkpoint that it is packed against
 
 void weldUntil(Trainer& trainer, double time) {
     while (trainer.time() < time)

@@ -1,4 +1,4 @@
-// What a desktop frame of the classic lesson costs: one step, the surface, one picture.
+// The cost of a desktop frame of the classic lesson: one step, the surface, one picture.
 #include "app/bench/bench.hpp"
 #include "app/bench/parts.hpp"
 #include "core/base/resources.hpp"

@@ -1,4 +1,4 @@
-// What a step of the classic metal costs: the grid from thousands to a million particles, all pairs beside it.
+// The cost of a step of the classic metal: the grid from thousands to a million particles, compared with all pairs.
 #include "core/metal/classic/classic_metal.hpp"
 #include "app/bench/bench.hpp"
 #include "app/bench/parts.hpp"
@@ -16,8 +16,8 @@ namespace {
 constexpr double kNeighbours = 30;
 constexpr int kMeltingSteps = 90;
 
-/// Everything liquid, at random, at rest density, with a support radius that reaches about 30 neighbours; a time step
-/// so short that it stays like this while it is measured.
+/// Makes everything liquid, at random places, at rest density, with a support radius that reaches about 30 neighbours;
+/// the time step is so short that this holds while it is measured.
 void prepareLiquid(ClassicMetal& metal, size_t particles) {
     const double number = static_cast<double>(particles); // in a cube of volume 1
     ClassicParameters& p = metal.parameters;
@@ -31,8 +31,8 @@ void prepareLiquid(ClassicMetal& metal, size_t particles) {
     metal.restore(state);
 }
 
-/// `cpu_ms` is the time of all this program's threads: where the processor draws, the figure that other programs on
-/// the machine disturb least.
+/// Measures steps. `cpu_ms` is the time of all this program's threads: if the processor draws, the figure that other
+/// programs on the machine disturb least.
 BenchRow measureSteps(Bench& bench, const std::string& what, ClassicMetal& metal, const ClassicSource& source) {
     double processor = std::numeric_limits<double>::infinity();
     BenchRow row = bench.measure(what, [&](gl::Profiler& profiler) {
@@ -63,7 +63,7 @@ void addRatio(BenchRow& row, const std::string& name, const BenchRow& other, dou
 } // namespace
 
 void benchClassicMetal(Bench& bench) {
-    BenchRow reference; // 65536 particles: what the cost of a particle among many more is compared with
+    BenchRow reference; // 65536 particles: reference for the cost per particle among many more
     for (const int particles : {8192, 20032, 65536, 262144, 1048576}) {
         ClassicMetal metal(bench.shaders(), {particles, ClassicSetup::kRandom, 1});
         prepareLiquid(metal, static_cast<size_t>(particles));

@@ -1,4 +1,4 @@
-// What the surface of the classic metal costs by grid, influence and number of particles.
+// The cost of the classic metal's surface by grid, influence and number of particles.
 #include "app/bench/bench.hpp"
 #include "app/bench/parts.hpp"
 #include "core/metal/classic/arrangement.hpp"
@@ -14,10 +14,11 @@ struct Case {
     int particles;
 };
 
-/// The thesis' particles and reach at three grids, the same reach in space at the finest, and eight times the metal.
+/// Particles and reach of the thesis at three grids, the finest with an equal reach in space, and eight times the
+/// metal.
 constexpr Case kCases[] = {{32, 2, 8192}, {64, 2, 8192}, {128, 2, 8192}, {128, 4, 8192}, {128, 2, 65536}};
 
-/// The solid cube with its upper front corner hot, so that the temperature volume has work as well.
+/// Solid cube with its upper front corner hot, so that the temperature volume has work as well.
 std::vector<glm::vec4> cubeWithHotCorner(int particles) {
     ClassicSetup setup;
     setup.particles = particles;

@@ -1,4 +1,4 @@
-// What a dispatch costs that has no work, and the barrier behind it: passes over metal that is not there cost this.
+// The cost of a dispatch without work and the barrier after it: passes over absent metal cost this.
 #include "app/bench/bench.hpp"
 #include "app/bench/parts.hpp"
 #include "core/gl/buffer.hpp"

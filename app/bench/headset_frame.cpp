@@ -1,5 +1,5 @@
-// What a frame of the headset costs the processor. With the tests' call counters loaded the driver's share is told
-// apart, and rows say how often a frame asks the heap and waits for the GPU.
+// The cost of a headset's frame on the processor. With the tests' call counters loaded the driver's share is separate,
+// and rows count heap allocations and waits for the GPU per frame.
 #include "app/bench/bench.hpp"
 #include "app/bench/parts.hpp"
 #include "app/headset/headset_front_end.hpp"
@@ -21,18 +21,18 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double kPatience = 6;   ///< s, for a runtime to appear
-constexpr double kWarmUp = 1.0;   ///< s: the first second may fill what is kept
+constexpr double kWarmUp = 1.0;   ///< s: the first second may fill caches
 constexpr double kMeasured = 5.0; ///< s
 constexpr unsigned kLeastFrames = 60;
 constexpr double kFrame = 1.0 / 60; ///< s
-/// So late a frame makes as many steps catch up as a frame ever does, s.
+/// Lateness of a frame that makes as many catch-up steps as any frame does, s.
 constexpr double kLate = 0.1;
 
 double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// A lesson under its own demonstration, two steps a frame, and both eyes of it.
+/// Lesson under its own demonstration, two steps per frame, and both eyes of it.
 struct Scene {
     Scene(gl::ShaderLibrary& shaders, Lesson lesson) : session(shaders, std::move(lesson)) { session.begin(controls); }
 
@@ -46,7 +46,7 @@ struct Scene {
     LessonSession session;
     Controls controls;
     LessonFigures figures;
-    Home home{resourceFolder() / "data" / "lessons", {}}; // not open, and nobody's scores
+    Home home{resourceFolder() / "data" / "lessons", {}}; // closed, and without scores
     double time = 0;
 };
 
@@ -56,8 +56,8 @@ Lesson smallClassic() {
     return lesson;
 }
 
-/// Runs frames until both are reached: kMeasured seconds after warming up, and kLeastFrames. One row for each part of
-/// the processor's time; none where a frame says that there is nothing left to measure.
+/// Runs frames until both are reached: kMeasured seconds after warming up, and kLeastFrames. Returns one row for each
+/// part of the processor's time; none if a frame reports that there is nothing left to measure.
 std::vector<BenchRow> measureFrames(const std::string& what, bool counted, FunctionRef<bool()> frame) {
     FrameMeter meter;
     std::array<double, kWorkPlaces> sum{};
@@ -122,7 +122,7 @@ BenchRow measureWithoutRuntime(Scene& scene, bool counted) {
         .front();
 }
 
-/// A frame in which the headset is there was begun.
+/// Waits for the headset's first frame; true once it has begun.
 bool waitForHeadset(HeadsetFrontEnd& headset, Scene& scene) {
     const Clock::time_point start = Clock::now();
     while (secondsSince(start) < kPatience) {
@@ -132,7 +132,7 @@ bool waitForHeadset(HeadsetFrontEnd& headset, Scene& scene) {
     return false;
 }
 
-/// Rows of the frames that a headset shows; false, and said so, where none is there, or no more.
+/// Adds rows of the frames that a headset shows; prints a reason and returns false if there is none, or none any more.
 bool addHeadsetRows(Bench& bench, const std::string& what, bool counted, HeadsetFrontEnd& headset, Scene& scene) {
     const auto frame = [&] {
         if (!waitForHeadset(headset, scene)) return false;

@@ -24,7 +24,7 @@ struct Spent {
     double physics = 0, surface = 0, picture = 0;
 };
 
-/// The lesson's demonstration, with a picture whenever one is due.
+/// Demonstration of the lesson, with a picture whenever one is due.
 class WeldedDemonstration {
   public:
     WeldedDemonstration(Bench& bench, const Lesson& lesson, const LessonMeasurement& m)
@@ -35,7 +35,7 @@ class WeldedDemonstration {
           view_(OrbitCamera().view(Lens{}, static_cast<float>(m.width) / static_cast<float>(m.height))),
           perSecond_(m.picturesPerSecond) {}
 
-    /// Steps, and pictures where they are due, until `time` s.
+    /// Makes steps, and pictures when due, until `time` s.
     void runUntil(double time) {
         while (trainer_.time() + 0.5 * trainer_.timeStep() < time) {
             timed(spent.physics, [&] { trainer_.advance(trainer_.demonstration(), nullptr); });
@@ -112,7 +112,7 @@ BenchRow measureLesson(Bench& bench, const Lesson& lesson, const LessonMeasureme
     return row;
 }
 
-/// At low detail, with which a window starts where the driver draws in software. `bench looks` tells the others.
+/// At low detail, with which a window starts if the driver draws in software. `bench looks` measures the others.
 void benchLesson(Bench& bench) {
     Lesson lesson = findLesson("gmaw-bead", resourceFolder() / "data" / "lessons");
     lesson.look.detail = kLowDetail;

@@ -1,4 +1,4 @@
-// The suite `lesson`: a whole lesson as a trainee has it, metal, surface and pictures.
+// The suite `lesson`: a whole lesson as for a trainee, with metal, surface and pictures.
 #pragma once
 
 #include "app/bench/bench.hpp"
@@ -6,11 +6,11 @@
 
 namespace meltpool {
 
-/// How a lesson is measured.
+/// Settings of the measurement.
 struct LessonMeasurement {
     double warmUp = 3;              ///< simulated s before measuring: by then a bead's pool is about as long as it gets
     int seconds = 3;                ///< simulated s to measure, each of them a repeat
-    int picturesPerSecond = 30;     ///< of simulated time
+    int picturesPerSecond = 30;     ///< per simulated second
     int width = 1280, height = 720; ///< pixels
 };
 

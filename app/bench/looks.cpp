@@ -20,7 +20,7 @@ namespace {
 
 constexpr float kBetweenEyes = 0.063f; // m of a head; the lesson's world is not scaled for it
 
-/// A look to be measured, and what came of it.
+/// Look and its measured row.
 struct MeasuredLook {
     std::string what;
     LookParameters look;
@@ -55,7 +55,7 @@ double gpuMs(const BenchRow& row) {
     return draw == row.passes.end() ? 0 : draw->leastMs;
 }
 
-/// The numbers of each eye, from those of the picture. `high`: the row of all measures with as many eyes.
+/// Adds the numbers per eye, from those of the picture. `high`: the row of all measures with as many eyes.
 void tellOfAnEye(MeasuredLook& measured, const BenchRow& high) {
     const auto eyes = static_cast<double>(measured.eyes);
     const double cpu = measured.row.further.front().second, highCpu = high.further.front().second;

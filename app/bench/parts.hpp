@@ -1,4 +1,4 @@
-// The parts of which the benchmark's suites are made; each stands in a file of its own.
+// The parts of the benchmark's suites; each has a file of its own.
 #pragma once
 
 namespace meltpool {
@@ -21,7 +21,7 @@ void benchHeadsetFrame(Bench& bench);
 void benchLooks(Bench& bench);
 void benchCard(Bench& bench);
 
-/// The row of benchEmptyDispatches(): wall time of all of them, and by the GPU timer under `passes`.
+/// Row of benchEmptyDispatches(): wall time of all of them, and by the GPU timer under `passes`.
 BenchRow measureEmptyDispatches(Bench& bench);
 
 } // namespace meltpool

@@ -1,4 +1,4 @@
-// What recording an attempt costs: the same weld with and without a recording, second by second in turns.
+// The cost of recording an attempt: a weld with and without a recording, second by second in turns.
 #include "app/activities/redo.hpp"
 #include "app/bench/bench.hpp"
 #include "app/bench/parts.hpp"
@@ -19,9 +19,9 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr double kWarmUp = 2; ///< s of the demonstration
-constexpr int kSeconds = 4;   ///< measured, each of them a repeat
+constexpr int kSeconds = 4;   ///< measured seconds, each of them a repeat
 
-/// A file of this process alone, until the end of the benchmark.
+/// File of this process alone, until the end of the benchmark.
 class ScratchFile {
   public:
     ScratchFile()
@@ -40,7 +40,7 @@ class ScratchFile {
     fs::path path_;
 };
 
-/// The demonstration of gmaw-bead, recorded with moments of the whole metal where there is a writer.
+/// Demonstration of gmaw-bead, recorded with checkpoints of the whole metal if there is a writer.
 class TimedWeld {
   public:
     TimedWeld(Bench& bench, const Lesson& lesson) : trainer_(bench.shaders(), lesson) {}
@@ -53,7 +53,7 @@ class TimedWeld {
         recorded_ = true;
     }
 
-    /// Welds on to this time, s, and adds up what it took.
+    /// Welds on to this time, s, and adds up the time that it took.
     void weldUntil(double time) {
         const auto start = Clock::now();
         const std::clock_t spent = std::clock();
@@ -73,9 +73,9 @@ class TimedWeld {
         longestMs = processorMs = 0;
     }
 
-    double leastMs = std::numeric_limits<double>::infinity(); ///< of the calls of weldUntil()
-    double longestMs = 0;                                     ///< of a step
-    double processorMs = 0;                                   ///< of all this program's threads
+    double leastMs = std::numeric_limits<double>::infinity(); ///< least of the calls of weldUntil()
+    double longestMs = 0;                                     ///< longest step
+    double processorMs = 0;                                   ///< ms of all this program's threads
 
   private:
     Trainer trainer_;

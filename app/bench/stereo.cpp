@@ -1,4 +1,4 @@
-// What the second eye of a headset costs over the first.
+// The cost of a headset's second eye over the first.
 #include "app/bench/bench.hpp"
 #include "app/bench/parts.hpp"
 #include "app/headset/workshop_scene.hpp"
@@ -16,15 +16,15 @@ namespace meltpool {
 
 namespace {
 
-constexpr int kEyeWidth = 672; ///< what Monado recommends for its scripted headset
+constexpr int kEyeWidth = 672; ///< width that Monado recommends for its scripted headset
 constexpr int kEyeHeight = 756;
 constexpr int kSamples = 4;
 constexpr float kBetweenEyes = 0.063f;
 constexpr float kWorldUnit = 0.04f;
 constexpr int kMeltingSteps = 60;
 constexpr int kRounds = 6;
-/// Of all the program's threads: with a driver that draws on the processor this is the work, whoever else keeps the
-/// machine busy; with a graphics card, what preparing the frame costs.
+/// Time of all the program's threads: with a driver that draws on the processor this is the work, independent of other
+/// load; with a graphics card, the cost of preparing the frame.
 constexpr const char* kCpuMs = "cpu_ms";
 
 View eyeAt(float x) {
@@ -70,7 +70,7 @@ void benchStereo(Bench& bench) {
         row.further = {{kCpuMs, cpuMs}};
         return row;
     };
-    // All take turns, so that what else the machine does falls on all of them alike.
+    // All take turns, so that other load on the machine falls on all of them alike.
     BenchRow single;
     std::array<BenchRow, kViewSubmissions.size()> pairs;
     for (int round = 0; round < kRounds; ++round) {
@@ -82,7 +82,7 @@ void benchStereo(Bench& bench) {
     const double oneEyeMs = single.stepMs, oneEyeCpuMs = single.further.front().second;
     bench.add(std::move(single));
     for (BenchRow& pair : pairs) {
-        if (pair.what.empty()) continue; // this driver cannot
+        if (pair.what.empty()) continue; // this driver does not support it
         pair.further.emplace_back("cpu_over_one_eye", pair.further.front().second / oneEyeCpuMs);
         pair.further.emplace_back("over_one_eye", pair.stepMs / oneEyeMs);
         bench.add(std::move(pair));

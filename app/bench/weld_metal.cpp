@@ -1,4 +1,5 @@
-// What a frame of welding costs: a GMAW bead on a 6 mm plate with a steady pool, on a plate of four times the area too.
+// The cost of a frame of welding: a GMAW bead on a 6 mm plate with a steady pool, on a plate of four times the area
+// too.
 #include "app/bench/bench.hpp"
 #include "app/bench/parts.hpp"
 #include "core/base/resources.hpp"
@@ -17,8 +18,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kWarmUpSeconds = 3; ///< of welding, simulated: by then the pool is about as long as it gets
-constexpr int kMeasuredFrames = 52;  ///< two cycles of telling the pieces apart
+constexpr double kWarmUpSeconds = 3; ///< simulated s of welding: by then the pool is about as long as it gets
+constexpr int kMeasuredFrames = 52;  ///< two cycles of finding the fragments
 constexpr int kProfiledFrames = 52;  ///< likewise
 
 /// Wall and processor time of each frame, ms. The processor time is that of all this program's threads: with a software
@@ -74,7 +75,7 @@ double medianRatio(const std::vector<double>& above, const std::vector<double>& 
     return median(ratios);
 }
 
-/// The lesson's bead on its plate, or on one `edge` times as long and wide. The torch's way is the same.
+/// Bead of the lesson on its plate, or on one `edge` times as long and wide. The torch's path does not change.
 class BenchWeld {
   public:
     BenchWeld(gl::ShaderLibrary& shaders, int edge) : lesson_(lessonOf(edge)), model_(shaders, lesson_) {
@@ -114,7 +115,7 @@ class BenchWeld {
         const auto grow = [&](float size) { return std::to_string(size * static_cast<float>(edge)); };
         lesson.set("length_mm", grow(lesson.workpiece.lengthMm), "bench");
         lesson.set("width_mm", grow(lesson.workpiece.widthMm), "bench");
-        lesson.surface.cells *= edge; // cells of the same size
+        lesson.surface.cells *= edge; // cells of equal size
         return lesson;
     }
 
@@ -125,7 +126,7 @@ class BenchWeld {
     bool asked_ = false;
 };
 
-/// Times of the passes, in a run of its own: asking for them costs time itself.
+/// Times of the passes, in a run of their own: measuring them costs time itself.
 BenchRow passes(Bench& bench, std::string what, BenchWeld& weld) {
     return bench.measure(
         std::move(what),
@@ -137,7 +138,7 @@ BenchRow passes(Bench& bench, std::string what, BenchWeld& weld) {
         60.0, kProfiledFrames, kProfiledFrames);
 }
 
-/// What the metal of a weld costs, without the surface.
+/// Row of a weld's metal, without the surface.
 BenchRow physicsRow(BenchRow row, const BenchWeld& weld, const FrameTimes& physics, const DispatchCount& dispatches) {
     const double frame = weld.timeStep() * 1e3;
     const PhysicalMetal& metal = weld.model().metal();
@@ -159,7 +160,7 @@ BenchRow physicsRow(BenchRow row, const BenchWeld& weld, const FrameTimes& physi
     return row;
 }
 
-/// What follows each step in the trainer, for both plates.
+/// Adds the rows of the work after each step in the trainer, for both plates.
 void addPair(Bench& bench, const std::string& what, const BenchWeld& plate, const FrameTimes& times,
              const BenchWeld& large, const FrameTimes& timesLarge) {
     for (const bool isLarge : {false, true}) {
@@ -189,7 +190,7 @@ void benchWeldMetal(Bench& bench) {
             weld->updateFigures();
             weld->updateSurface(nullptr);
         }
-    // In turns, so that whatever else the machine does disturbs both alike.
+    // In turns, so that other load on the machine disturbs both alike.
     FrameTimes physics, physicsLarge, figures, figuresLarge, surface, surfaceLarge;
     DispatchCount dispatches, dispatchesLarge;
     for (int i = 0; i < kMeasuredFrames; ++i) {

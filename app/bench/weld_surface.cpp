@@ -1,4 +1,4 @@
-// What the surface costs where only a weld pool moves in a large plate: all made anew, and only what changed.
+// The cost of the surface if only a weld pool moves in a large plate: all of it rebuilt, and only the changed part.
 #include "app/bench/bench.hpp"
 #include "app/bench/parts.hpp"
 #include "core/surface/surface.hpp"
@@ -16,7 +16,8 @@ constexpr float kSpacing = 0.001f;
 constexpr float kPoolRadius = 0.005f;
 constexpr float kThickness = 0.006f;
 
-/// A plate of steel, its upper side at y = 0; within the pool the particles are hot and lie `shift` beside the lattice.
+/// Plate of steel, its upper side at y = 0; within the pool the particles are hot and shifted by `shift` from the
+/// lattice.
 std::vector<glm::vec4> plate(float length, float width, float shift) {
     std::vector<glm::vec4> places;
     const auto count = [](float size) { return int(size / kSpacing + 0.5f); };
@@ -40,7 +41,7 @@ void measurePlate(Bench& bench, std::string what, float length, float width, boo
     surface.parameters.isoLevel = flatFaceLevel(parameters, surface.grid(), kSpacing);
     surface.setTemperatureRange(300.0f, 3300.0f);
     surface.incremental.enabled = keep;
-    // Two states in turn: every particle of the pool is another each time.
+    // Two states in turn: every particle of the pool changes each time.
     const std::array places{plate(length, width, 0.0f), plate(length, width, 0.3f * kSpacing)};
     const std::array buffers{gl::Buffer("bench plate", std::span<const glm::vec4>(places[0])),
                              gl::Buffer("bench plate, pool moved", std::span<const glm::vec4>(places[1]))};

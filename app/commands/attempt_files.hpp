@@ -1,4 +1,4 @@
-// Attempt files and run folders as commands take them.
+// Attempt files and run folders as arguments of commands.
 #pragma once
 
 #include "core/training/lesson/lesson.hpp"
@@ -9,19 +9,19 @@
 
 namespace meltpool {
 
-/// The lesson of a recorded attempt with its torch, values and changes, as takeTorch() gives them. `lesson`: a name of
-/// the catalogue or a TOML file, empty for what the record names. Throws InputError for a file that is no attempt, and
-/// what findLesson() and takeTorch() throw.
+/// Lesson of a recorded attempt with its torch, values and changes, as takeTorch() gives them. `lesson`: a name of the
+/// catalogue or a TOML file, empty for the one that the record names. Throws InputError for a file that is no attempt,
+/// and whatever findLesson() and takeTorch() throw.
 Lesson openAttempt(const std::filesystem::path& file, const std::string& lesson);
 
-/// What only the pictures show of KEY=VALUE: camera, look and the surface's fineness. Throws InputError, naming what
-/// there is, for another key.
+/// Sets KEY=VALUE that affects only the pictures: camera, look and the surface's fineness. Throws InputError, naming
+/// the keys, for another key.
 void setView(Lesson& lesson, std::span<const std::string> assignments);
 
-/// The values of WIDTHxHEIGHT and of the time between pictures (s), where they are not empty.
+/// Sets the values of WIDTHxHEIGHT and of the time between pictures (s), if they are not empty.
 void setPictures(Lesson& lesson, const std::string& size, const std::string& every);
 
-/// The folder of a run where `path` is one, or its result.json; empty for anything else.
+/// Folder of a run if `path` is one, or its result.json; empty for anything else.
 std::filesystem::path runFolderOf(const std::filesystem::path& path);
 
 } // namespace meltpool

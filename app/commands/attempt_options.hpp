@@ -1,4 +1,4 @@
-// The command line of what is done with attempts: replay, compare, demonstration.
+// The command line of the commands for attempts: replay, compare, demonstration.
 #pragma once
 
 #include "app/commands/commands.hpp"
@@ -16,10 +16,10 @@ struct AttemptArguments {
     bool noPage = false;
 };
 
-/// Adds the commands, which write what they are given into `arguments`.
+/// Adds the commands, which write their values into `arguments`.
 void addAttemptCommands(CLI::App& app, AttemptArguments& arguments);
 
-/// Runs the one of them that was given. Returns false where none was.
+/// Runs the one of them that was given. Returns false if none was.
 bool runAttemptCommand(const CLI::App& app, const AttemptArguments& arguments);
 
 } // namespace meltpool

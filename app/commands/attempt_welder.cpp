@@ -16,7 +16,7 @@ namespace meltpool {
 
 namespace {
 
-/// A weld that was asked to stop, but is in the middle of a long step, is ended after this time.
+/// Time after which a weld that was asked to stop, but is in the middle of a long step, is ended.
 constexpr std::chrono::seconds kPatience(2);
 constexpr size_t kLongestShown = 1000;
 

@@ -10,14 +10,14 @@ namespace meltpool {
 
 class AttemptWelder {
   public:
-    /// Makes the connection to the graphics driver. Throws InputError where there is none.
+    /// Connects to the graphics driver. Throws InputError if there is none.
     AttemptWelder();
 
-    /// What welds: this program and the graphics driver.
+    /// Machine that welds: this program and the graphics driver.
     ReplayMachine machine() const;
 
-    /// Welds the lesson as `run` does, says what came of it and whether it is the recorded attempt, and answers the
-    /// figures. A signal stops it after the step. Throws what runHeadless() and requireRoom() throw.
+    /// Welds the lesson as `run` does, prints the result and the comparison with the recorded attempt, and returns the
+    /// figures. A signal stops it after the step. Throws whatever runHeadless() and requireRoom() throw.
     LessonResult weld(const Lesson& lesson, RunFolder& folder, const RunHooks& hooks = {});
 
   private:

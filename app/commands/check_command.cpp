@@ -1,4 +1,5 @@
-// `meltpool check`: welds lessons without a screen and holds score, verdict and measured weld against what is expected.
+// `meltpool check`: welds lessons without a screen and compares score, verdict and measured weld with the expected
+// ones.
 #include "app/commands/commands.hpp"
 #include "app/commands/headless_runner.hpp"
 #include "app/commands/junit_file.hpp"
@@ -26,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The checks of a folder and the folders in it, in order of their names; files without [expect] are none.
+/// Checks of a folder and its subfolders, in order of their names, without files that have no [expect].
 std::vector<fs::path> checksIn(const fs::path& folder) {
     std::vector<fs::path> files;
     std::error_code fault;
@@ -38,7 +39,7 @@ std::vector<fs::path> checksIn(const fs::path& folder) {
     return files;
 }
 
-/// The file of a check that is named: a path, or the name of a lesson that holds its own [expect].
+/// File of a named check: a path, or the name of a lesson that has its own [expect].
 fs::path checkNamed(const fs::path& path, const LessonFolders& folders) {
     std::error_code missing;
     if (path.has_parent_path() || lowerExtension(path) == ".toml" || fs::exists(path, missing)) return path;
@@ -75,7 +76,7 @@ Judgement weld(const LessonCheck& check, gl::ShaderLibrary& shaders) {
     return trainer.judge();
 }
 
-/// The score and what was measured in one line.
+/// Prints the score and the measurements in one line.
 void printOutcome(const CheckOutcome& outcome, const Judgement& judgement) {
     std::string score = judgement.score && judgement.score->scored
                             ? phrase("run.check.score", {{"points", PhraseNumber(judgement.score->total)}})
@@ -121,7 +122,7 @@ bool runChecks(const CheckRequest& request) {
     std::vector<CheckOutcome> outcomes;
     for (const LessonCheck& check : checks) {
         outcomes.push_back(run(check, shaders));
-        // Written after each, so that a run that is stopped keeps what it had.
+        // Written after each, so that a stopped run leaves its results.
         if (!request.junit.empty()) writeJunitFile(request.junit, outcomes);
         if (StopSignals::asked())
             throw RuntimeFault("the checks were stopped after " + std::to_string(outcomes.size()) + " of " +

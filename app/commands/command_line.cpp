@@ -37,7 +37,7 @@ constexpr int kFailed = 1;
 constexpr int kBadInput = 2;
 
 #ifdef __linux__
-/// For starts from an icon, without a terminal that shows standard error.
+/// Option for starts from an icon, without a terminal that shows standard error.
 constexpr const char* kErrorWindow = "--error-window";
 #endif
 
@@ -45,7 +45,7 @@ constexpr const char* kErrorWindow = "--error-window";
 struct Arguments {
     RunRequest run;
     DesktopOptions desktop;
-    bool errorWindow = false; ///< runProgram() acts on it before
+    bool errorWindow = false; ///< runProgram() acts on it earlier
     bool headset = false;
     bool desktopOnly = false;
     bool unrecorded = false;
@@ -59,9 +59,9 @@ struct Arguments {
     std::string listed; ///< lesson whose values are listed; empty: the catalogue
     bool listedAsJson = false;
     bool quiet = false;
-    std::string shell;                  ///< whose completion script is printed
+    std::string shell;                  ///< shell whose completion script is printed
     std::vector<std::string> completed; ///< words of the command line that a script completes
-    bool speed = false;                 ///< the doctor welds too
+    bool speed = false;                 ///< true: the doctor welds too
 };
 
 void addDesktop(CLI::App& app, Arguments& arguments) {
@@ -169,7 +169,7 @@ void addOthers(CLI::App& app, Arguments& arguments) {
     CLI::App* completion =
         app.add_subcommand("completion", "Print the script by which a shell completes this command line");
     completion->add_option("SHELL", arguments.shell, "bash, zsh or fish")->required();
-    completion->add_option("WORD", arguments.completed)->group(""); // of scripts
+    completion->add_option("WORD", arguments.completed)->group(""); // hidden; completion scripts use it
     app.add_subcommand("manual", "Print the manual page, which 'man -l -' shows");
 }
 
@@ -192,7 +192,7 @@ void printLessonNames() {
         if (each.fault.empty()) std::printf("%s\n", printable(each.key, 300).c_str());
 }
 
-/// "KEY=" of each value of the lesson that `words` name; nothing where they name none.
+/// Prints "KEY=" of each value of the lesson that `words` name; no-op if they name none.
 void printLessonKeys(const std::vector<std::string>& words) {
     const LessonFolders folders = LessonFolders::ofUser();
     for (const std::string& word : words)
@@ -202,11 +202,11 @@ void printLessonKeys(const std::vector<std::string>& words) {
                 std::printf("%s=\n", std::string(each.key).c_str());
             return;
         } catch (const InputError&) {
-            continue; // an option, or the file of something else
+            continue; // an option, or a file of another kind
         }
 }
 
-/// The script itself, or the lines that a script asks for: `completion lessons`, `completion keys -- WORD..`.
+/// Prints the script itself, or the lines that a script asks for: `completion lessons`, `completion keys -- WORD..`.
 void printCompletion(const CLI::App& app, const Arguments& arguments) {
     if (arguments.shell == "lessons")
         printLessonNames();
@@ -242,14 +242,14 @@ int dispatch(const CLI::App& app, const Arguments& arguments) {
     return kDone;
 }
 
-/// One line on standard error.
+/// Prints one line on standard error.
 void complain(const std::string& sentence) {
     constexpr size_t kMostBytes = 3000;
     std::fprintf(stderr, "meltpool: %s\n", printable(sentence, kMostBytes).c_str());
 }
 
-/// A file beyond the size limit and a pipe without a reader are faults of the write that meets them: their signals
-/// would end the program and lose what it holds.
+/// Ignores the signals of a file beyond the size limit and a pipe without a reader: they would end the program and lose
+/// its data. The failing write reports the fault instead.
 void tellWritesOfTheirFaults() {
 #ifndef _WIN32
     std::signal(SIGXFSZ, SIG_IGN);
@@ -257,7 +257,7 @@ void tellWritesOfTheirFaults() {
 #endif
 }
 
-/// Throws for an option of the trainer's window before another command, which would leave it out.
+/// Throws for an option of the trainer's window before another command, which would ignore it.
 void refuseForeignOptions(const CLI::App& app) {
     const auto commands = app.get_subcommands();
     if (commands.empty()) return;
@@ -268,7 +268,7 @@ void refuseForeignOptions(const CLI::App& app) {
                              commands.front()->get_name() + " --help' shows");
 }
 
-/// Throws RuntimeFault where standard output did not take everything, but for a reader who has read enough.
+/// Throws RuntimeFault if standard output did not take everything, unless its reader closed it.
 void requireOutput() {
     errno = 0;
     std::cout.flush();
@@ -281,7 +281,7 @@ void requireOutput() {
             (code == 0 || code == EPIPE ? "expected a reader that reads to the end" : writeExpectation(code)));
 }
 
-/// The text of the program's --help below its commands.
+/// Text of the program's --help below its commands.
 std::string footer() {
     const auto list = [](const char* heading, std::span<const NamedText> texts) {
         std::string lines = std::string(heading) + ":\n";
@@ -298,7 +298,7 @@ std::string footer() {
 void declare(CLI::App& app, Arguments& arguments) {
     app.set_version_flag("--version", "meltpool " + programBuild());
     app.require_subcommand(0, 1);
-    app.allow_windows_style_options(false); // a path may begin with a slash under Windows too
+    app.allow_windows_style_options(false); // a path may begin with a slash on Windows too
     addDesktop(app, arguments);
     addRun(app, arguments);
     addAttemptCommands(app, arguments.attempts);
@@ -307,16 +307,16 @@ void declare(CLI::App& app, Arguments& arguments) {
          {"run", "replay", "compare", "demonstration", "check", "report", "recordings", "validate"})
         app.get_subcommand(command)->add_flag("--quiet", arguments.quiet,
                                               "Say only what is wrong, and the path of the result");
-    app.footer(footer()); // last: commands would take it over
+    app.footer(footer()); // last: commands would inherit it
 }
 
-/// The command that was given, or else the program itself.
+/// Command that was given, or else the program itself.
 const CLI::App& givenCommand(const CLI::App& app) {
     const auto commands = app.get_subcommands();
     return commands.empty() ? app : *commands.front();
 }
 
-/// The command or option of `command` that a refused word is a misspelling of; empty where there is none.
+/// Command or option of `command` of which a refused word is a misspelling; empty if there is none.
 std::string likelyWord(const CLI::App& command, const std::string& refused) {
     std::vector<std::string> known;
     if (refused.starts_with("-")) {
@@ -330,7 +330,7 @@ std::string likelyWord(const CLI::App& command, const std::string& refused) {
     return likelyName(std::string_view(refused).substr(0, refused.find('=')), known);
 }
 
-/// A sentence for an option without its value; empty where the error is another one.
+/// Sentence for an option without its value; empty if the error is another one.
 std::string missingValue(const CLI::App& command, const std::string& error) {
     const std::string name = error.substr(0, error.find(':'));
     const CLI::Option* option = error.ends_with(" missing") ? command.get_option_no_throw(name) : nullptr;
@@ -340,7 +340,7 @@ std::string missingValue(const CLI::App& command, const std::string& error) {
     return name + " has no value; expected " + name + " " + option->get_type_name() + ": " + text;
 }
 
-/// The sentence for a command line that CLI11 refuses.
+/// Sentence for a command line that CLI11 refuses.
 std::string refusal(const CLI::App& app, const CLI::ParseError& error) {
     const CLI::App& command = givenCommand(app);
     if (const std::string text = missingValue(command, error.what()); !text.empty()) return text;
@@ -352,7 +352,7 @@ std::string refusal(const CLI::App& app, const CLI::ParseError& error) {
            (said.starts_with("LESSON ") ? ", and a name that 'meltpool lessons' lists" : "");
 }
 
-/// Throws CLI::Success for a wish for help or version, InputError for what cannot be understood.
+/// Throws CLI::Success for a request for help or version, InputError for an invalid command line.
 void parse(CLI::App& app, int argc, const char* const* argv) {
     try {
         app.parse(argc, argv);
@@ -384,7 +384,7 @@ int parseAndRun(int argc, char** argv) {
 }
 
 #ifdef __linux__
-/// The program in a process of its own, so that its crash is shown too.
+/// Runs the program in a process of its own, so that its crash is shown too.
 int runForIcon(const std::vector<std::string>& words) {
     const WatchedEnd end = runWatched(words);
     if (const std::string sentence = endSentence(end); !sentence.empty()) showErrorWindow(sentence);

@@ -28,7 +28,7 @@ inline constexpr std::array<NamedText, 6> kVariables{{
     {"XDG_CACHE_HOME", "What can be made again is in its folder meltpool; else in ~/.cache/meltpool"},
 }};
 
-/// Command lines for a start, each with the result that it gives.
+/// Command lines for a start, each with its result.
 inline constexpr std::array<NamedText, 6> kExamples{{
     {"meltpool --lesson gmaw-bead", "Open the trainer's window on the first weld."},
     {"meltpool run tee-fillet --out fillet --pictures 1",

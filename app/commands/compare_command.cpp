@@ -1,4 +1,4 @@
-// `meltpool compare`: two attempts beside each other, each a recorded one or the folder of a run.
+// `meltpool compare`: two attempts side by side, each a recorded one or the folder of a run.
 #include "app/commands/attempt_files.hpp"
 #include "app/commands/attempt_welder.hpp"
 #include "app/commands/commands.hpp"
@@ -16,12 +16,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// One of the two: the folder of a run, or an attempt that is still to be welded into its own folder.
+/// One of the two: the folder of a run, or an attempt that remains to be welded into its own folder.
 struct Side {
     fs::path file;
-    fs::path run; ///< the folder; empty of an attempt
+    fs::path run; ///< folder of the run; empty for an attempt
     std::optional<Lesson> lesson;
-    std::unique_ptr<RunFolder> folder; ///< it is locked, and so stays where it is
+    std::unique_ptr<RunFolder> folder; ///< a pointer, because a locked folder cannot move
 };
 
 Side openSide(const fs::path& file, const CompareRequest& request, const char* name) {
@@ -34,7 +34,7 @@ Side openSide(const fs::path& file, const CompareRequest& request, const char* n
     return side;
 }
 
-/// What a page calls it: the file's name with its folder's where both sides' files have the same.
+/// Name of a side on the page: the file's name, with its folder's if both files have one name.
 std::string nameOf(const fs::path& file, const fs::path& other) {
     const fs::path own = file.lexically_normal();
     const fs::path last = own.has_filename() ? own : own.parent_path();
@@ -44,7 +44,7 @@ std::string nameOf(const fs::path& file, const fs::path& other) {
     return alike && last.has_parent_path() ? (last.parent_path().filename() / name).string() : name;
 }
 
-/// Throws InputError where the two are of different lessons, whose figures say nothing about each other.
+/// Throws InputError if the two belong to different lessons, whose figures cannot be compared.
 void requireSameLesson(const std::array<Side, 2>& sides) {
     std::array<std::string, 2> lessons;
     for (size_t i = 0; i < sides.size(); ++i)

@@ -1,4 +1,4 @@
-// What is said and written of two attempts beside each other.
+// The printed and written comparison of two attempts.
 #pragma once
 
 #include "app/report/comparison_page.hpp"
@@ -8,7 +8,7 @@
 namespace meltpool {
 
 /// Prints the difference in words and the score lost by each quantity, and writes comparison.html into `folder` unless
-/// `page` is false. Throws what comparisonPage() and writeFile() throw.
+/// `page` is false. Throws whatever comparisonPage() and writeFile() throw.
 void tellComparison(const ComparedRun& first, const ComparedRun& second, const std::filesystem::path& folder,
                     bool page);
 

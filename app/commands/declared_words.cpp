@@ -6,7 +6,7 @@ namespace meltpool {
 
 namespace {
 
-/// The kind behind the name of a value. A folder that is read may be the folder of a run or one of its files.
+/// Kind of a value by its name. A folder that is read may be the folder of a run or one of its files.
 ValueKind kindOf(const std::string& value, bool positional) {
     static const std::map<std::string, ValueKind> kinds{
         {"LESSON", ValueKind::lesson}, {"CHECK", ValueKind::lesson}, {"DIR", ValueKind::folder},
@@ -35,7 +35,7 @@ DeclaredWord wordOf(const CLI::Option& option) {
 DeclaredCommand commandOf(const CLI::App& app, const std::string& name) {
     DeclaredCommand command{name, app.get_description(), {}, {}};
     for (const CLI::Option* option : app.get_options()) {
-        if (option->get_group().empty()) continue; // for completion scripts alone
+        if (option->get_group().empty()) continue; // hidden options are for completion scripts only
         DeclaredWord word = wordOf(*option);
         const bool positional = !word.name.starts_with("--");
         (positional ? command.positionals : command.options).push_back(std::move(word));

@@ -1,4 +1,4 @@
-// The declared command line as completion scripts and the manual page need it.
+// The declared command line in the form that completion scripts and the manual page need.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -16,22 +16,22 @@ enum class ValueKind {
     folder,  ///< a folder
     lesson,  ///< a lesson's name, or its file
     setting, ///< KEY=VALUE of the lesson that the command line names
-    suite,   ///< a part of the benchmark
+    suite,   ///< a suite of the benchmark
     shell,   ///< a shell that has a completion script
 };
 
-/// An option or a positional argument.
+/// Option or positional argument.
 struct DeclaredWord {
-    std::string name;  ///< "--out"; of a positional argument "LESSON"
-    std::string value; ///< name of its value, "DIR"; empty of a flag
-    std::string text;  ///< of --help; may have several lines
+    std::string name;  ///< "--out"; "LESSON" of a positional argument
+    std::string value; ///< name of its value, "DIR"; empty for a flag
+    std::string text;  ///< text in --help; may have several lines
     ValueKind kind = ValueKind::none;
-    bool repeated = false; ///< may be given again, or takes several values
+    bool repeated = false; ///< true: may be repeated, or takes several values
     bool required = false;
 };
 
 struct DeclaredCommand {
-    std::string name; ///< "run"; of the program itself empty
+    std::string name; ///< "run"; empty for the program itself
     std::string text;
     std::vector<DeclaredWord> options, positionals;
 };

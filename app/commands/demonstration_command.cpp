@@ -1,4 +1,4 @@
-// `meltpool demonstration`: an attempt that is worth showing as the path of a lesson.
+// `meltpool demonstration`: makes an attempt that is worth showing the path of a lesson.
 #include "app/commands/attempt_files.hpp"
 #include "app/commands/commands.hpp"
 #include "app/commands/demonstration_lesson.hpp"
@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Neither file may be one that is read.
+/// Throws if `file` is one of the files that are read.
 void requireNoSource(const fs::path& file, const Lesson& lesson) {
     for (const fs::path& source : lessonSources(lesson)) {
         std::error_code missing;

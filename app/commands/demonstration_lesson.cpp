@@ -15,14 +15,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kLeastTail = 1; ///< s that a weld cools at least
+constexpr double kLeastTail = 1; ///< s of cooling after a weld at least
 
-/// A float as TOML shows it to people, not as the double that it converts to.
+/// Float as TOML shows it to people, not as the double that it converts to.
 double shortNumber(float value) {
     return parseDouble(formatNumber(value)).value_or(0);
 }
 
-/// The value of a parameter as its key in a lesson takes it.
+/// Writes the value of a parameter under its key in a lesson.
 void put(toml::table& group, const Parameter& parameter) {
     if (!parameter.choices.empty())
         group.insert_or_assign(parameter.key, parameterText(parameter));
@@ -44,7 +44,7 @@ toml::table& groupIn(toml::table& root, std::string_view name) {
     return *root[name].as_table();
 }
 
-/// Values of a group, of which those that the file has or the attempt names are written.
+/// Writes those values of a group that the file has or the attempt names.
 void putValues(toml::table& root, std::string_view name, const ParameterList& list, const RecordedAttempt& attempt) {
     for (const Parameter& parameter : list) {
         const auto isOfThis = [&](const RecordedChange& change) { return change.key == parameter.key; };
@@ -54,7 +54,7 @@ void putValues(toml::table& root, std::string_view name, const ParameterList& li
     }
 }
 
-/// A file that a lesson names beside itself, as seen from another folder.
+/// Name of a file that a lesson names relative to itself, as seen from another folder.
 std::string movedName(const fs::path& named, const fs::path& from, const fs::path& to) {
     const fs::path whole = fs::weakly_canonical(fs::absolute(from / named));
     const fs::path seen = whole.lexically_proximate(fs::weakly_canonical(fs::absolute(to)));
@@ -72,7 +72,7 @@ void moveNames(toml::table& root, const fs::path& from, const fs::path& to) {
         root.insert_or_assign("list_picture", movedName(*picture, from, to));
 }
 
-/// s between the last moment with a pulled trigger and the path's end.
+/// s between the last sample with a pulled trigger and the path's end.
 double lastRelease(const std::vector<TorchSample>& samples) {
     const auto last =
         std::find_if(samples.rbegin(), samples.rend(), [](const TorchSample& torch) { return torch.trigger > 0; });
@@ -80,7 +80,7 @@ double lastRelease(const std::vector<TorchSample>& samples) {
     return last == samples.rbegin() ? last->time : (last - 1)->time;
 }
 
-/// s for which the lesson's own demonstration goes on after its trigger was let go, which the weld needs to cool.
+/// s for which the lesson's own demonstration continues after its trigger is released, which the weld needs to cool.
 double ownTail(const Lesson& own) {
     double released = 0;
     for (double time = 0; time <= own.torch.duration(); time += TorchPath::kTriggerGrain)
@@ -124,7 +124,7 @@ std::string demonstrationLesson(const Lesson& lesson, const WeldedStretch& stret
             welded.set(change.key, change.value, attempt.file.string());
     if (lesson.model == LessonModel::Weld) {
         putValues(root, "workpiece", describe(welded.workpiece), attempt);
-        if (welded.workpiece.metal.ends_with(".toml")) // in a lesson in progress its name leads there from here
+        if (welded.workpiece.metal.ends_with(".toml")) // in memory the name is relative to the current folder
             groupIn(root, "workpiece").insert_or_assign("metal", movedName(welded.workpiece.metal, ".", to));
         putValues(root, "process", describe(welded.process), attempt);
     } else {
@@ -136,7 +136,7 @@ std::string demonstrationLesson(const Lesson& lesson, const WeldedStretch& stret
     groupIn(root, "run").insert_or_assign("seconds", shortNumber(static_cast<float>(seconds)));
     root.insert_or_assign("torch", path.filename().generic_string());
     root.insert_or_assign("title", phrase("run.demonstration.title", {{"lesson", lesson.title}}));
-    root.erase("expect"); // of the lesson's own demonstration
+    root.erase("expect"); // [expect] describes the lesson's own demonstration
     std::ostringstream text;
     text << "# " << printable(lesson.key, 80) << " with a recorded attempt as its demonstration.\n" << root << "\n";
     return text.str();

@@ -8,22 +8,22 @@
 
 namespace meltpool {
 
-/// s of the hand that a demonstration keeps before the first pull of the trigger and after the last release.
+/// s of the hand's motion in a demonstration before the first pull of the trigger and after the last release.
 inline constexpr double kDemonstrationLead = 1;
 
-/// The stretch of an attempt in which something was welded.
+/// Stretch of an attempt in which the arc welded.
 struct WeldedStretch {
-    double begin = 0, end = 0;        ///< s of the attempt, with kDemonstrationLead where there is as much
+    double begin = 0, end = 0;        ///< s of the attempt, with kDemonstrationLead if there is as much
     double firstPull = 0;             ///< s of the attempt
-    std::vector<TorchSample> samples; ///< their times begin at 0
+    std::vector<TorchSample> samples; ///< samples whose times begin at 0
 };
 
-/// Cuts the attempt that the lesson has taken (see takeTorch()). Throws InputError where the trigger was never pulled.
+/// Cuts the attempt that the lesson has taken (see takeTorch()). Throws InputError if the trigger was never pulled.
 WeldedStretch weldedStretch(const Lesson& lesson);
 
-/// The lesson's file anew with `path`, which lies beside `file`, as its torch, the values that the attempt had when its
-/// trigger was pulled first, and as long as the path and the lesson's own time after its demonstration take. Files that
-/// the lesson names keep being found from `file`. Comments are lost. The lesson must be one from a file.
+/// Text of the lesson's file with `path`, next to `file`, as its torch, the values that the attempt had when its
+/// trigger was first pulled, and as long as the path and the lesson's own time after its demonstration take. Files that
+/// the lesson names can still be found from `file`. Comments are lost. The lesson must be one from a file.
 std::string demonstrationLesson(const Lesson& lesson, const WeldedStretch& stretch, const std::filesystem::path& path,
                                 const std::filesystem::path& file);
 

@@ -1,4 +1,4 @@
-// `meltpool doctor`: what the machine has, what is missing, and how to get it.
+// `meltpool doctor`: parts that the machine has, parts that are missing, and how to get them.
 #include "app/commands/doctor.hpp"
 
 #include "app/commands/commands.hpp"
@@ -27,7 +27,7 @@ namespace {
 
 using State = Finding::State;
 
-/// Limits of the driver that a lesson of full size needs; OpenGL itself may guarantee less.
+/// Limit of the driver that a lesson of full size needs; OpenGL itself may guarantee less.
 struct Limit {
     const char* name;
     GLenum query;
@@ -142,7 +142,7 @@ bool printFindings(const std::vector<Finding>& findings) {
 
 bool runDoctor(bool speed) {
     std::printf("meltpool %s\n", programBuild().c_str());
-    gl::runDriverSingleThreaded(); // the speed of a weld is that of the window
+    gl::runDriverSingleThreaded(); // a weld must run at the window's speed
     std::vector<Finding> findings;
     inspectDriver(findings);
     inspectDisplay(findings);

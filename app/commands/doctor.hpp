@@ -9,16 +9,16 @@ namespace meltpool {
 struct Finding {
     enum class State {
         good,
-        note,   ///< something is not there that not every run needs
-        missing ///< no run works without
+        note,   ///< a missing part that some runs do without
+        missing ///< a missing part that every run needs
     };
     std::string what;
     State state = State::good;
     std::string found;
-    std::string remedy; ///< how to get it; empty where nothing is missing
+    std::string remedy; ///< how to get it; empty if nothing is missing
 };
 
-/// Prints a list; false when something is missing.
+/// Prints a list; returns false if something is missing.
 bool printFindings(const std::vector<Finding>& findings);
 
 } // namespace meltpool

@@ -28,8 +28,8 @@ namespace meltpool {
 
 namespace {
 
-constexpr double kTimeToLight = 0.2; ///< s of a pulled trigger in which an arc lights
-constexpr int kSamples = 4;          ///< of a pixel, for smooth edges
+constexpr double kTimeToLight = 0.2; ///< s of a pulled trigger in which an arc strikes
+constexpr int kSamples = 4;          ///< samples of a pixel, for smooth edges
 constexpr double kLongAgo = 10;      ///< s since the last picture, for a ghost that need not move smoothly
 constexpr int kManyPixels = 4096 * 2304;
 
@@ -38,7 +38,7 @@ int samplesFor(const RunParameters& run) {
     return run.width * run.height > kManyPixels ? 1 : kSamples;
 }
 
-/// Takes the lesson's pictures at their times.
+/// Taker of the lesson's pictures at their times.
 class Photographer {
   public:
     Photographer(gl::ShaderLibrary& shaders, LessonScene& scene, const RunParameters& run, const FilmRequest& film,
@@ -50,14 +50,15 @@ class Photographer {
           folder_(std::move(folder)),
           every_(static_cast<double>(run.picturesEvery)) {}
 
-    /// Another torch for the pictures to come; an empty path is none.
+    /// Shows another torch in the pictures from now on; an empty path shows none.
     void showGhost(const Trainer& trainer, const TorchPath& torch) {
         ghost_.parameters.ghost = static_cast<int>(GhostChoice::file);
         ghost_.open(trainer.lesson());
         ghost_.begin(trainer, torch);
     }
 
-    /// To be called after each step: visors that darken by themselves and eyes that adapt have a past.
+    /// Updates the visors that darken by themselves and the eyes that adapt, which depend on the past; call it after
+    /// each step.
     void see(const Trainer& trainer) {
         const std::vector<PictureLook>& pictures = trainer.lesson().pictures;
         seen_.resize(pictures.size());
@@ -83,7 +84,7 @@ class Photographer {
     }
 
   private:
-    /// Of all pictures: the surface holds what they show.
+    /// Greatest detail of all pictures: the surface holds the data for it.
     int mostDetail(const Lesson& lesson) const {
         const bool filmed = film_.request().video || film_.request().turntable > 0;
         int most = filmed ? filmLook(lesson).look.detail : static_cast<int>(kLowDetail);
@@ -105,7 +106,7 @@ class Photographer {
         }
     }
 
-    /// The piece alone: an arc that still burns gives no light.
+    /// Takes the turntable's pictures of the piece alone: an arc that still burns gives no light.
     void turn(Trainer& trainer) {
         const int pictures = film_.request().turntable;
         const auto putOut = [](SceneView& scene, const View&) { scene.arc = {}; };
@@ -127,7 +128,7 @@ class Photographer {
         try {
             writePng(folder_ / runPictureName(trainer.time(), look.name), image);
         } catch (const InputError& error) {
-            // The folder was writable when the run began: by now it is the disk that fails, not the input.
+            // The folder was writable when the run began: by now the disk fails, not the input.
             throw RuntimeFault(error.what());
         }
     }
@@ -183,7 +184,7 @@ class Run {
         context.driver = driver_.renderer;
         trainer_.record(places_.telemetry, context);
         const RunParameters& run = trainer_.lesson().run;
-        const size_t whole = stepsOfRun(trainer_); // before a moment brings other values
+        const size_t whole = stepsOfRun(trainer_); // before a change of values at some time
         if (hooks_.start) hooks_.start(trainer_);
         const size_t before = trainer_.steps();
         if (before > 0) trainer_.event("begun_at", std::to_string(before));
@@ -214,7 +215,7 @@ class Run {
         if (places_.mesh.empty()) return;
         try {
             writeMesh(shaders, scene_, places_.mesh);
-        } catch (const InputError& error) { // as with pictures: it could be written when the run began
+        } catch (const InputError& error) { // as with pictures: the file was writable when the run began
             throw RuntimeFault(error.what());
         }
     }
@@ -243,7 +244,8 @@ class Run {
         return result;
     }
 
-    /// Of a weld whose arc never burned though its trigger was pulled; empty: it did, or a warning told the reason.
+    /// Warning for a weld whose arc never burned though its trigger was pulled; empty: it burned, or a warning named
+    /// the reason.
     std::string arcWarning(const Judgement& judgement) const {
         const Lesson& lesson = trainer_.lesson();
         if (lesson.model != LessonModel::Weld || judgement.arc.seconds > 0 || pulledSeconds_ < kTimeToLight ||
@@ -257,19 +259,19 @@ class Run {
         try {
             sound_.write(places_.sound);
         } catch (const InputError& error) {
-            // The place was writable when the run began: by now it is the disk that fails, not the input.
+            // The place was writable when the run began: by now the disk fails, not the input.
             throw RuntimeFault(error.what());
         }
     }
 
-    /// What was measured along the seam, by the hand and on the weld.
+    /// Writes the measurements along the seam, of the hand and of the weld.
     void writeTables(const Judgement& judgement) const {
         if (trainer_.technique() != nullptr)
             writeTechniqueCsv(places_.folder / "technique.csv", judgement.seam, judgement.distance);
         if (judgement.weld) writeWeldTable(places_.folder / "weld.csv", *judgement.weld);
     }
 
-    /// After a failure; a second one must not hide the first.
+    /// Stores the results so far after a failure; a second failure must not hide the first.
     void keepWhatThereIs(const std::string& error) {
         try {
             trainer_.stopRecord(error);
@@ -290,12 +292,12 @@ class Run {
     LessonScene& scene_;
     RunPlaces places_;
     SoundTrack sound_;
-    double pulledSeconds_ = 0; ///< with the trigger pulled
+    double pulledSeconds_ = 0; ///< s with the trigger pulled
     const RunHooks& hooks_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// What whole layers of particles make of the workpiece's sizes, before the weld.
+/// Prints the workpiece's sizes, rounded to whole layers of particles, before the weld.
 void tellSizes(const Lesson& lesson) {
     if (lesson.model != LessonModel::Weld) return;
     const std::string text = simulatedSizesText(lesson.workpiece);

@@ -28,7 +28,7 @@ void lookForHeadset(std::vector<Finding>& findings) {
 void inspectHeadset(std::vector<Finding>& findings) {
     try {
         lookForHeadset(findings);
-    } catch (const InputError&) { // the words of its reasons are missing; inspectFiles() has reported it already
+    } catch (const InputError&) { // the reasons' words are missing; inspectFiles() has reported it already
         findings.push_back({"headset", Finding::State::note, "not looked for without the program's files", ""});
     }
 }

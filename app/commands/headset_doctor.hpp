@@ -5,8 +5,8 @@
 
 namespace meltpool {
 
-/// Runtime, headset, formats, refresh rate, controllers; what is missing is a note, since every lesson runs without a
-/// headset.
+/// Inspects runtime, headset, formats, refresh rate and controllers; a missing part is a note, because every lesson
+/// runs without a headset.
 void inspectHeadset(std::vector<Finding>& findings);
 
 } // namespace meltpool

@@ -13,16 +13,17 @@ struct CheckOutcome {
     std::string name;
     std::filesystem::path file;
     std::vector<CheckedValue> values;
-    std::vector<std::string> warnings; ///< of the lesson and its torch path; they do not fail it
-    std::string error;                 ///< why the check could not be run to its end; empty where it was
-    double wallSeconds = 0;            ///< that it took
+    std::vector<std::string> warnings; ///< warnings of the lesson and its torch path; they do not fail it
+    std::string error;                 ///< reason why the check could not run to its end; empty if it did
+    double wallSeconds = 0;            ///< s that it took
 
     bool passed() const;
-    /// What did not come out as expected, a sentence for each; empty where it passed.
+    /// Differences from the expected result, a sentence for each; empty if it passed.
     std::vector<std::string> faults() const;
 };
 
-/// One test suite `meltpool check` with a test case for each outcome. Throws what writeTextFileAtomically() throws.
+/// Writes one test suite `meltpool check` with a test case for each outcome. Throws whatever writeTextFileAtomically()
+/// throws.
 void writeJunitFile(const std::filesystem::path& file, const std::vector<CheckOutcome>& outcomes);
 
 } // namespace meltpool

@@ -1,4 +1,4 @@
-// `meltpool lessons`: the lessons that there are, or the values of one.
+// `meltpool lessons`: the list of lessons, or the values of one.
 #include "app/commands/commands.hpp"
 #include "app/commands/named_lesson.hpp"
 #include "core/base/error.hpp"
@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Notes are written as fragments or sentences; in a list they read as sentences.
+/// Note as a sentence: notes are written as fragments or sentences, and a list shows sentences.
 std::string asSentence(std::string_view note) {
     std::string text = capitalised(note);
     if (text.empty()) return text;
@@ -24,13 +24,13 @@ std::string asSentence(std::string_view note) {
     return text;
 }
 
-/// What a file or a person wrote, as the terminal gets it.
+/// Text from a file or a person, made safe for the terminal.
 std::string shown(const std::string& text) {
     constexpr size_t kMostBytes = 1000;
     return printable(text, kMostBytes);
 }
 
-/// A lesson as it was read, or why its file cannot be used.
+/// Lesson as it was read, or the reason why its file cannot be used.
 struct ReadFile {
     std::optional<Lesson> lesson;
     std::string fault;
@@ -45,7 +45,7 @@ ReadFile read(const NamedLesson& named) {
     }
 }
 
-/// One line of the list.
+/// Prints one line of the list.
 void printLesson(const NamedLesson& named, std::vector<std::string>& faults) {
     const ReadFile file = read(named);
     if (file.lesson)
@@ -56,7 +56,7 @@ void printLesson(const NamedLesson& named, std::vector<std::string>& faults) {
     if (!file.fault.empty()) faults.push_back(file.fault);
 }
 
-/// Everything that a list of lessons holds of one.
+/// Entry of a lesson in the JSON list.
 Json lessonJson(const NamedLesson& named, std::vector<std::string>& faults) {
     Json json{{"name", named.key}, {"origin", nameOf(named.origin)}, {"file", named.file.string()}};
     const ReadFile file = read(named);
@@ -89,7 +89,7 @@ void printJson(const Json& json) {
     std::printf("%s\n", json.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
 }
 
-/// The heading of a folder's lessons.
+/// Prints the heading of a folder's lessons.
 void printHeading(const LessonFolder& folder) {
     std::printf("%s (%s):\n", std::string(headingOf(folder.origin)).c_str(), shown(folder.path.string()).c_str());
 }

@@ -8,7 +8,7 @@ namespace meltpool {
 
 namespace {
 
-/// A text as roff shows it unchanged: no request at the start of a line, and hyphens that can be copied.
+/// Text that roff shows unchanged: no request at the start of a line, and hyphens that can be copied.
 std::string roff(std::string_view text) {
     std::string result;
     bool lineStarts = true;
@@ -27,7 +27,7 @@ std::string roff(std::string_view text) {
     return result;
 }
 
-/// "meltpool run [OPTIONS] LESSON".
+/// Usage of a command: "meltpool run [OPTIONS] LESSON".
 std::string usageOf(const DeclaredCommand& command) {
     std::string usage = "meltpool" + (command.name.empty() ? "" : " " + command.name) + " [OPTIONS]";
     for (const DeclaredWord& word : command.positionals) {
@@ -57,7 +57,7 @@ std::string optionsOf(const DeclaredCommand& command) {
 
 std::string manualPage(const CLI::App& app) {
     const std::vector<DeclaredCommand> commands = declaredCommands(app);
-    // The version in the date's place: a page that is printed again is the same file.
+    // The version in the date's place: printed again, the page is identical.
     std::string text = ".TH MELTPOOL 1 \"version " + roff(programVersion()) + "\" \"Meltpool\" \"User Commands\"\n";
     text += ".SH NAME\nmeltpool \\- virtual welding trainer\n.SH SYNOPSIS\n";
     for (const DeclaredCommand& command : commands)

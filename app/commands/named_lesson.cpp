@@ -11,7 +11,7 @@ namespace meltpool {
 
 namespace {
 
-constexpr size_t kMostBytes = 1000; ///< of a sentence
+constexpr size_t kMostBytes = 1000; ///< bytes of a sentence
 
 } // namespace
 

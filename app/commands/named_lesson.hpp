@@ -1,4 +1,4 @@
-// Lessons as the commands take them: by name, with a word about what a person should know of them.
+// Lessons by name for the commands, with warnings for the person.
 #pragma once
 
 #include "core/training/lesson/lesson_folders.hpp"
@@ -9,16 +9,16 @@
 
 namespace meltpool {
 
-/// findLesson(); tells on standard error which files of the same name are left out.
+/// Calls findLesson() and lists on standard error the files of that name that are left out.
 Lesson namedLesson(const std::string& name, const LessonFolders& folders);
 
-/// One line on standard error.
+/// Prints one line on standard error.
 void warn(const std::string& sentence);
 
-/// Says pathFormText() where there is one.
+/// Prints pathFormText() if there is one.
 void tellForm(const std::filesystem::path& file, const TorchPath& path);
 
-/// Warns of lessonWarnings() and pathWarnings() and answers them, for the result. `cut`: the run's time was asked for.
+/// Prints lessonWarnings() and pathWarnings() and returns them, for the result. `cut`: the person chose the run's time.
 std::vector<std::string> tellWarnings(const Lesson& lesson, bool cut = false);
 
 } // namespace meltpool

@@ -1,4 +1,4 @@
-// `meltpool recordings`: what the program has kept of people's attempts.
+// `meltpool recordings`: the stored recordings of people's attempts.
 #include "app/commands/commands.hpp"
 #include "app/library/kept_attempts.hpp"
 #include "app/library/recordings_limit.hpp"
@@ -22,13 +22,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr size_t kMostBytes = 1000; ///< of a text that a file brings
+constexpr size_t kMostBytes = 1000; ///< bytes of a text from a file
 
 std::string shown(const std::string& text) {
     return printable(text, kMostBytes);
 }
 
-/// Why an attempt ended, in the chosen language: the recording has the English words.
+/// Reason of an attempt's end, in the chosen language: the recording has the English words.
 std::string endText(const std::string& reason) {
     std::string key = "run.recordings.end." + reason;
     std::replace(key.begin(), key.end(), ' ', '_');
@@ -80,13 +80,13 @@ void printAttempt(const KeptAttempt& kept) {
                 static_cast<double>(kept.bytes) * 1e-6, shown(kept.file.filename().string()).c_str());
 }
 
-/// How many recordings a folder has lost to its limit.
+/// Count of recordings that the limit removed from a folder.
 size_t removedCount(const std::filesystem::path& folder) {
     try {
         const std::string text = readTextFile(folder / kRemovedList);
         return static_cast<size_t>(std::count(text.begin(), text.end(), '\n'));
     } catch (const InputError&) {
-        return 0; // there is none
+        return 0; // the folder has no list
     }
 }
 
@@ -94,7 +94,7 @@ constexpr std::array kColumns{"date",       "lesson",  "lesson_file", "attempt",
                               "score",      "verdict", "practice",    "real_time", "ended",
                               "state_hash", "bytes",   "program",     "driver",    "file"};
 
-/// All that a list of attempts holds of one, in the order of the columns.
+/// Values of an attempt in the list, in the order of the columns.
 std::array<Json, kColumns.size()> rowOf(const KeptAttempt& kept) {
     const RecordingSummary summary = readRecordingSummary(kept.file);
     const auto& end = summary.end;
@@ -115,7 +115,7 @@ std::array<Json, kColumns.size()> rowOf(const KeptAttempt& kept) {
             kept.file.string()};
 }
 
-/// The attempts of a folder as the program lists them; their faults go to standard error.
+/// Attempts of a folder in the program's order; their faults go to standard error.
 std::vector<KeptAttempt> attemptsOf(const std::filesystem::path& folder) {
     std::vector<std::string> faults;
     std::vector<KeptAttempt> attempts = keptRecordings(folder, &faults);
@@ -136,7 +136,7 @@ void listAsJson(const std::filesystem::path& folder) {
     std::printf("%s\n", list.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
 }
 
-/// A value of a table as RFC 4180 wants it.
+/// Value of a table by RFC 4180.
 std::string cell(const Json& value) {
     if (value.is_null()) return {};
     if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
@@ -150,7 +150,7 @@ std::string cell(const Json& value) {
     return quoted + "\"";
 }
 
-/// One table of all attempts, a row each.
+/// Writes one table of all attempts, a row each.
 void tabulate(const std::filesystem::path& folder, const std::filesystem::path& table) {
     if (isRecording(table))
         throw InputError(table, 0,

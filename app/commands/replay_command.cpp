@@ -1,4 +1,4 @@
-// `meltpool replay`: a recorded attempt welded again, as it was or with one thing changed.
+// `meltpool replay`: a recorded attempt welded again, unchanged or with one thing changed.
 #include "app/activities/moments_of_attempt.hpp"
 #include "app/commands/attempt_files.hpp"
 #include "app/commands/attempt_welder.hpp"
@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Shortens the lesson to one moment with its picture.
+/// Shortens the lesson to one time with its picture.
 void seek(Lesson& lesson, const std::string& second) {
     const auto at = parseDouble(second);
     const double end = lesson.torch.duration();
@@ -43,7 +43,7 @@ Lesson requestedAttempt(const ReplayRequest& request) {
     return lesson;
 }
 
-/// The result holds the warnings, as that of `run` does.
+/// Hooks with the warnings, which the result holds as that of `run` does.
 RunHooks warned(const std::vector<std::string>& warnings) {
     RunHooks hooks;
     hooks.warnings = warnings;
@@ -51,7 +51,7 @@ RunHooks warned(const std::vector<std::string>& warnings) {
     return hooks;
 }
 
-/// Lets the run begin at the newest of `moments` that is not behind its end.
+/// Makes the run begin at the newest of `moments` that is not beyond its end.
 void beginAt(RecordedMoments& moments, RunHooks& hooks) {
     hooks.start = [&moments](Trainer& trainer) {
         const auto moment = moments.beforeStep(stepsOfRun(trainer));
@@ -61,7 +61,7 @@ void beginAt(RecordedMoments& moments, RunHooks& hooks) {
     };
 }
 
-/// Welds to the lesson's end, which is the second that was asked for.
+/// Welds to the lesson's end, which is the requested second.
 void weldSought(AttemptWelder& welder, const Lesson& lesson, RunFolder& folder, RunHooks hooks) {
     const MomentsOfAttempt recorded = momentsOfAttempt(lesson, welder.machine());
     if (!recorded.refused.empty()) say("%s\n", printable(recorded.refused, 1000).c_str());
@@ -69,7 +69,7 @@ void weldSought(AttemptWelder& welder, const Lesson& lesson, RunFolder& folder, 
     welder.weld(lesson, folder, hooks);
 }
 
-/// Mean travel speed, m/s, over the judged millimetres of a run's seam; nothing where none is known.
+/// Mean travel speed, m/s, over the judged millimetres of a run's seam; nothing if none is known.
 std::optional<double> meanTravelSpeed(const RunResults& run) {
     const std::vector<double> speeds = run.technique.column("speed_mm_s"), judged = run.technique.column("judged");
     double sum = 0;
@@ -82,7 +82,7 @@ std::optional<double> meanTravelSpeed(const RunResults& run) {
     return count > 0 ? std::optional(sum / count * 1e-3) : std::nullopt;
 }
 
-/// Welds as the attempt was and keeps each step of the hand.
+/// Welds the attempt unchanged and stores each step of the hand.
 std::vector<AttemptStep> weldOriginal(AttemptWelder& welder, const Lesson& lesson, RunFolder& folder, RunHooks hooks) {
     std::vector<AttemptStep> steps;
     steps.reserve(lesson.recorded->rows);
@@ -99,7 +99,7 @@ void weldChanged(AttemptWelder& welder, Lesson lesson, const std::vector<Attempt
                  RunFolder& folder, RunHooks hooks) {
     hooks.whatIf = whatIf.asked;
     takeWhatIf(lesson, whatIf, whatIf.path.speed);
-    if (lesson.model != LessonModel::Weld) { // its torch leads no seam
+    if (lesson.model != LessonModel::Weld) { // its torch follows no seam
         welder.weld(lesson, folder, hooks);
         return;
     }

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of a run or its result.json; any other file is taken for a record.
+/// True for a folder of a run or its result.json; any other file is taken for a record.
 bool isRun(const fs::path& source) {
     std::error_code failed;
     return fs::is_directory(source, failed) || source.extension() == ".json" || !fs::exists(source, failed);
@@ -37,7 +37,7 @@ RunResults resultsIn(const fs::path& source, const std::string& lesson) {
     return readRecordResults(source, own);
 }
 
-/// In a run's folder, or beside a record under its name.
+/// Path of the page: in a run's folder, or next to a record under its name.
 fs::path pageOf(const fs::path& source) {
     std::error_code failed;
     if (fs::is_directory(source, failed)) return source / "report.html";
@@ -46,7 +46,7 @@ fs::path pageOf(const fs::path& source) {
     return page.replace_extension(".html");
 }
 
-/// A page must not take the place of what it is made of.
+/// Throws if a page would replace its own source.
 void requireNoSource(const fs::path& page, const fs::path& source) {
     std::error_code failed;
     const fs::path folder = fs::is_directory(source, failed) ? source : source.parent_path();

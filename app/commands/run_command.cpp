@@ -27,10 +27,10 @@ namespace meltpool {
 
 namespace {
 
-/// A run that was asked to stop, but is in the middle of something long, is ended after this time.
+/// Time after which a run that was asked to stop, but is in the middle of a long step, is ended.
 constexpr std::chrono::seconds kPatience(2);
 
-/// What a file or a person wrote, as the terminal gets it.
+/// Text from a file or a person, made safe for the terminal.
 std::string shown(const std::string& text) {
     constexpr size_t kMostBytes = 1000;
     return printable(text, kMostBytes);
@@ -44,7 +44,7 @@ void setSize(Lesson& lesson, const std::string& size) {
     lesson.set("height", size.substr(cross + 1), "--size " + size);
 }
 
-/// What the run writes must be no file that it reads.
+/// Throws if a file that the run writes is one that it reads.
 void requireNoSource(const char* option, const std::filesystem::path& written,
                      const std::vector<std::filesystem::path>& sources) {
     for (const auto& source : sources) {
@@ -55,7 +55,7 @@ void requireNoSource(const char* option, const std::filesystem::path& written,
     }
 }
 
-/// The file for the sound can be written, and there is something to hear.
+/// Throws unless the file for the sound can be written and there is sound.
 void requireSound(const std::filesystem::path& sound, const Lesson& lesson) {
     if (sound.empty()) return;
     if (lesson.model != LessonModel::Weld)
@@ -65,7 +65,7 @@ void requireSound(const std::filesystem::path& sound, const Lesson& lesson) {
     requireWritable(sound);
 }
 
-/// The path that goes through the pictures as a ghost; empty where none is asked for.
+/// Path of the ghost in the pictures; empty if none is asked for.
 TorchPath requestedGhost(const RunRequest& request, const Lesson& lesson) {
     if (request.ghost.empty()) return {};
     if (lesson.model != LessonModel::Weld)
@@ -90,13 +90,13 @@ FilmRequest requestedFilm(const RunRequest& request) {
     return film;
 }
 
-/// A weld whose time goes to its steps.
+/// True for a weld that spends its time on steps.
 bool hasFewPictures(const Lesson& lesson, const FilmRequest& film) {
     return lesson.model == LessonModel::Weld && lesson.run.picturesEvery == 0 && !film.video && film.turntable == 0;
 }
 
-/// The coldest and the hottest: "20 to 2310 °C"; of the classic metal, whose scale has no unit, "0 to 0.53 (solid is 0,
-/// liquid 1)".
+/// Coldest and hottest: "20 to 2310 °C"; of the classic metal, whose scale has no unit, "0 to 0.53 (solid is 0, liquid
+/// 1)".
 std::string temperatures(const Lesson& lesson, const MetalStatistics& metal) {
     if (lesson.model == LessonModel::Weld)
         return phrase("run.temperature.weld", {{"coldest", PhraseNumber(celsius(metal.minTemperature))},
@@ -135,7 +135,7 @@ Lesson requestedLesson(const RunRequest& request) {
     if (!request.seconds.empty()) lesson.set("seconds", request.seconds, "--seconds");
     if (!request.picturesEvery.empty()) lesson.set("pictures_every", request.picturesEvery, "--pictures");
     if (!request.size.empty()) setSize(lesson, request.size);
-    if (lesson.model == LessonModel::Weld) workpieceMaterial(lesson.workpiece); // throws for a metal that is not there
+    if (lesson.model == LessonModel::Weld) workpieceMaterial(lesson.workpiece); // throws for an unknown metal
     return lesson;
 }
 
@@ -143,7 +143,8 @@ void runLesson(const RunRequest& request) {
     StopSignals signals;
     signals.endAfter(kPatience, {});
     Lesson lesson = requestedLesson(request);
-    lesson.ghost = lesson.ghost || !request.ghost.empty(); // nobody is practising
+    lesson.ghost =
+        lesson.ghost || !request.ghost.empty(); // a headless run is no practice, so a ghost is always allowed
     RunHooks hooks;
     hooks.ghost = requestedGhost(request, lesson);
     hooks.film = requestedFilm(request);
@@ -155,7 +156,7 @@ void runLesson(const RunRequest& request) {
     requireNoSource("--mesh", request.mesh, sources);
     if (!request.mesh.empty()) meshFormat(request.mesh); // throws for an unknown ending
     RunFolder folder(request.folder.empty() ? newRunFolder({}, lesson.key) : request.folder, sources);
-    if (!request.mesh.empty()) requireWritable(request.mesh); // it may lie in the folder
+    if (!request.mesh.empty()) requireWritable(request.mesh); // it may be in the folder
     if (hasFewPictures(lesson, hooks.film)) gl::runDriverSingleThreaded();
     const gl::HeadlessContext context;
     gl::ShaderLibrary shaders(resourceFolder() / "shaders");

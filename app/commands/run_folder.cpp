@@ -23,7 +23,7 @@ bool isDigit(char c) {
     return c >= '0' && c <= '9';
 }
 
-/// A name without the ".PROCESS.tmp" behind it that a killed process leaves.
+/// Name without the ".PROCESS.tmp" at its end that a killed process leaves.
 std::string_view withoutDraftEnding(std::string_view name) {
     constexpr std::string_view kEnding = ".tmp";
     if (!name.ends_with(kEnding)) return name;
@@ -34,7 +34,7 @@ std::string_view withoutDraftEnding(std::string_view name) {
                                                                                                  : name;
 }
 
-/// "001.500s-metal.png", with as many digits before the point as the time has.
+/// Form "001.500s-metal.png", with as many digits before the point as the time has.
 bool isPictureName(std::string_view name) {
     const size_t point = name.find('.');
     if (point == std::string_view::npos || point < 3 || name.size() < point + 10) return false;
@@ -66,7 +66,7 @@ std::vector<fs::path> runFilesIn(const fs::path& folder) {
 fs::path newRunFolder(const fs::path& parent, const std::string& lessonKey) {
     const std::string name = "meltpool-" + lessonKey;
     fs::path folder = parent / name;
-    std::error_code unknown; // what cannot be looked at cannot be made either, which RunFolder says
+    std::error_code unknown; // a folder that cannot be inspected cannot be made either, which RunFolder reports
     for (int i = 2; fs::exists(folder, unknown); ++i)
         folder = parent / (name + "-" + std::to_string(i));
     return folder;

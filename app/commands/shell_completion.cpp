@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* kShells = "bash zsh fish";
 
-/// A text in single quotes; `apostrophe` is written for each one inside of them.
+/// Text in single quotes; `apostrophe` replaces each one in it.
 std::string quoted(const std::string& text, const std::string& apostrophe) {
     std::string result = "'";
     for (const char c : text)
@@ -25,7 +25,7 @@ std::string firstLine(const std::string& text) {
     return text.substr(0, text.find('\n'));
 }
 
-/// The names of the benchmark's suites, each once.
+/// Names of the benchmark's suites, each once.
 std::string suites() {
     std::vector<std::string> names;
     for (const BenchPart& part : benchParts())
@@ -36,7 +36,7 @@ std::string suites() {
     return list;
 }
 
-/// The words that a value may be, with a blank between them; empty where they are not known beforehand.
+/// Words that a value may be, separated by blanks; empty if they are not known beforehand.
 std::string wordsOf(ValueKind kind) {
     if (kind == ValueKind::suite) return suites();
     return kind == ValueKind::shell ? kShells : "";
@@ -91,7 +91,7 @@ constexpr const char* kBashTail = R"(    esac
 complete -F _meltpool meltpool
 )";
 
-/// "kind=file", or the words that there are.
+/// Text "kind=file", or the possible words.
 std::string bashKind(ValueKind kind) {
     if (const std::string words = wordsOf(kind); !words.empty()) return "kind=words words='" + words + "'";
     if (kind == ValueKind::file) return "kind=file";
@@ -156,7 +156,7 @@ std::string zshAction(ValueKind kind) {
     return kind == ValueKind::lesson ? "_meltpool_lessons" : " ";
 }
 
-/// A text inside of an _arguments specification.
+/// Text inside an _arguments specification.
 std::string zshText(const std::string& text) {
     std::string result;
     for (const char c : firstLine(text)) {
@@ -197,7 +197,7 @@ std::string zshScript(const std::vector<DeclaredCommand>& commands) {
     text += "    )\n    if ((CURRENT == 2)) && [[ $words[2] != -* ]]; then\n"
             "        _describe command commands\n        return\n    fi\n    case $command in\n" +
             cases + "    *)\n" + zshCommand(commands.front()) + "        ;;\n    esac\n}\n\n";
-    // Read from a start-up file, as well as found by its name in a folder of functions.
+    // Both ways work: read from a start-up file, and found by its name in a folder of functions.
     return text + "if [[ $funcstack[1] == _meltpool ]]; then _meltpool \"$@\"; else compdef _meltpool meltpool; fi\n";
 }
 
@@ -210,7 +210,7 @@ std::string fishQuoted(const std::string& text) {
     return quoted(escaped, "\\'");
 }
 
-/// Options of `complete` for a value; empty where fish offers files by itself.
+/// Options of `complete` for a value; empty if fish offers files by itself.
 std::string fishValue(ValueKind kind) {
     if (const std::string words = wordsOf(kind); !words.empty()) return " -x -a " + fishQuoted(words);
     if (kind == ValueKind::file) return " -r -F";

@@ -10,11 +10,11 @@ class App;
 
 namespace meltpool {
 
-/// The script that completes commands, options, files and names of lessons; `shell`: bash, zsh or fish. Throws
-/// InputError for another shell.
+/// Script that completes commands, options, files and names of lessons; `shell`: bash, zsh or fish. Throws InputError
+/// for another shell.
 std::string completionScript(const CLI::App& app, std::string_view shell);
 
-/// The manual page in roff, with the texts of --help.
+/// Manual page in roff, with the texts of --help.
 std::string manualPage(const CLI::App& app);
 
 } // namespace meltpool

@@ -16,7 +16,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Of the metal over real time. none: chosen, a fifth of the time for picture, surface and menus.
+/// Least speed of the metal over real time. No source: chosen, a fifth of the time for picture, surface and menus.
 constexpr double kBearable = 1.25;
 constexpr std::array<float, 3> kSpacings{1, 1.5F, 2}; // mm
 // The pool has its full width after about a second of welding; 3 x 3.3 s in all.
@@ -44,7 +44,7 @@ WeldSpeed measureWeldSpeed(gl::ShaderLibrary& shaders, const Lesson& lesson, dou
         } while (secondsSince(start) < wall);
         return (trainer.time() - before) / secondsSince(start);
     };
-    weld(0); // the driver makes its programs
+    weld(0); // the driver compiles its programs
     weld(warmUp);
     return {lesson.workpiece.spacingMm, weld(seconds)};
 }

@@ -12,7 +12,7 @@ namespace meltpool {
 
 namespace {
 
-/// What only a window or a headset can do must not be left out in silence.
+/// Throws for requests that need a window or a headset: they must not be ignored silently.
 void refuseWithoutDisplay(const DesktopOptions& options, const std::string& missing) {
     const char* option = nullptr;
     if (options.headset == HeadsetUse::wanted) option = "--headset";

@@ -1,4 +1,4 @@
-// `meltpool validate`: how far the metal is from exact solutions and experiments.
+// `meltpool validate`: the error of the metal against exact solutions and experiments.
 #include "app/commands/commands.hpp"
 #include "app/platform/lock_notice.hpp"
 #include "app/platform/program_info.hpp"
@@ -26,7 +26,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// JSON knows no number that is not finite.
+/// Finite number, or null: JSON has no other numbers.
 Json finite(double value) {
     return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
@@ -70,7 +70,7 @@ Json meanErrorJson(const MeanError& error) {
             {"worst_case", error.worstCase}};
 }
 
-/// The file of --json. Written anew after every case, so that a run that is stopped keeps what it had.
+/// File of --json. It is written again after every case, so that a stopped run leaves its results.
 class NumbersFile {
   public:
     NumbersFile(std::filesystem::path file, const gl::HeadlessContext& context) : file_(std::move(file)) {
@@ -110,7 +110,7 @@ class NumbersFile {
     Json json_;
 };
 
-/// The cases that a person named, those of a folder in its place.
+/// Named cases, with each folder replaced by the cases in it.
 std::vector<std::filesystem::path> withoutFolders(const std::vector<std::filesystem::path>& named) {
     std::vector<std::filesystem::path> files;
     for (const auto& path : named) {
@@ -125,7 +125,7 @@ std::vector<std::filesystem::path> withoutFolders(const std::vector<std::filesys
     return files;
 }
 
-/// The file of --json must be none that is read.
+/// Throws if the file of --json is one that is read.
 void requireNoSource(const std::filesystem::path& json, const std::vector<std::filesystem::path>& sources) {
     for (const auto& source : sources) {
         std::error_code missing;
@@ -134,7 +134,7 @@ void requireNoSource(const std::filesystem::path& json, const std::vector<std::f
     }
 }
 
-/// What ended a case early: the person's input (exit code 2) or the machine (1).
+/// Reason for a case's early end: the person's input (exit code 2) or the machine (1).
 struct Ends {
     std::string input, machine;
 

@@ -1,4 +1,4 @@
-// A mesh as the writers of files take it.
+// A mesh for the writers of files.
 #pragma once
 
 #include "core/surface/mesh_copy.hpp"
@@ -10,7 +10,7 @@
 
 namespace meltpool {
 
-/// What a file tells of itself.
+/// Notes in a file about itself.
 struct MeshNotes {
     std::string lesson;
     std::string date;    ///< UTC, such as 2026-03-01T12:00:00Z
@@ -19,11 +19,11 @@ struct MeshNotes {
 
 struct ColouredMesh {
     MeshCopy mesh;                  ///< m, y upwards; at least one triangle
-    std::vector<glm::vec3> colours; ///< linear sRGB 0..1, one a vertex
+    std::vector<glm::vec3> colours; ///< linear sRGB 0..1, one per vertex
     MeshNotes notes;
 };
 
-/// What every file says of the axes.
+/// Note in every file about the axes.
 inline constexpr const char* kMeshAxes = "y points upwards; of a workpiece that lies flat, x runs along the seam";
 
 } // namespace meltpool

@@ -45,12 +45,12 @@ void write(const fs::path& file, const Image& picture) {
     try {
         writePng(file, picture);
     } catch (const InputError& error) {
-        // The folder was writable when the run began: by now it is the disk that fails, not the input.
+        // The folder was writable when the run began: by now the disk fails, not the input.
         throw RuntimeFault(error.what());
     }
 }
 
-/// The frames' names as ffmpeg counts them; a sign of its own in the folder's name is doubled.
+/// Pattern of the frames' names for ffmpeg; a percent sign in the folder's name is doubled.
 std::string patternIn(const fs::path& folder) {
     std::string text;
     for (const char c : folder.string())

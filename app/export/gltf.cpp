@@ -18,12 +18,12 @@ constexpr int kFloat = 5126, kUnsignedShort = 5123, kUnsignedInt = 5125;
 constexpr int kVertexAttributes = 34962, kElements = 34963;
 constexpr std::uint32_t kMagic = 0x46546C67, kVersion = 2, kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
 
-/// The binary buffer and the views into it.
+/// Binary buffer and the views into it.
 struct Blob {
     std::string bytes;
     Json views = Json::array();
 
-    /// The view of what was appended since `begin`; the number of it.
+    /// Adds the view of the bytes appended since `begin`; returns its number.
     size_t endView(size_t begin, int target) {
         views.push_back(
             {{"buffer", 0}, {"byteOffset", begin}, {"byteLength", bytes.size() - begin}, {"target", target}});
@@ -60,7 +60,7 @@ Json addNormals(Blob& blob, const MeshCopy& mesh) {
     return accessor(blob.endView(begin, kVertexAttributes), kFloat, mesh.vertices.size(), "VEC3");
 }
 
-/// With a fourth part: every vertex has to begin at a multiple of four bytes.
+/// Adds colours with a fourth component: every vertex has to begin at a multiple of four bytes.
 Json addColours(Blob& blob, const ColouredMesh& coloured) {
     constexpr float kMost = 65535;
     const size_t begin = blob.bytes.size();
@@ -81,7 +81,7 @@ Json addIndices(Blob& blob, const MeshCopy& mesh) {
     return accessor(blob.endView(begin, kElements), kUnsignedInt, mesh.indices.size(), "SCALAR");
 }
 
-/// The document without its buffer.
+/// Document without its buffer.
 Json document(const ColouredMesh& coloured, Blob& blob) {
     const MeshNotes& notes = coloured.notes;
     Json gltf;
@@ -112,7 +112,7 @@ std::string textOf(const Json& value) {
     return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-/// `text` filled up to a multiple of four bytes.
+/// Pads `text` to a multiple of four bytes.
 std::string padded(std::string text, char filler) {
     text.resize((text.size() + 3) / 4 * 4, filler);
     return text;
@@ -124,7 +124,7 @@ void appendChunk(std::string& bytes, std::uint32_t type, const std::string& cont
     bytes += content;
 }
 
-/// RFC 4648.
+/// Base64 by RFC 4648.
 std::string base64(const std::string& bytes) {
     constexpr const char* kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::string text;

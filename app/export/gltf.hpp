@@ -6,13 +6,13 @@
 namespace meltpool {
 
 /// Both hold one mesh with POSITION in m and y upwards, as glTF demands, NORMAL, COLOR_0 in linear colours of 16 bits,
-/// and indices of 32 bits, with a dull material that leaves the colours as they are. Lesson, date, program and axes
-/// stand in asset.extras.
+/// and indices of 32 bits, with a dull material that leaves the colours unchanged. Lesson, date, program and axes are
+/// in asset.extras.
 
-/// The bytes of a binary file, .glb.
+/// Bytes of a binary file, .glb.
 std::string glbOf(const ColouredMesh& coloured);
 
-/// The text of a .gltf file, which holds its numbers itself (base64).
+/// Text of a .gltf file, with its numbers embedded (base64).
 std::string gltfOf(const ColouredMesh& coloured);
 
 } // namespace meltpool

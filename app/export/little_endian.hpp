@@ -1,4 +1,4 @@
-// Numbers as bytes, lowest first, whatever the machine's own order.
+// Numbers as bytes, lowest first, independent of the machine's own order.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -21,7 +21,7 @@ inline void appendFloats(std::string& bytes, const glm::vec3& v) {
         appendBytes(bytes, std::bit_cast<std::uint32_t>(v[axis]), 4);
 }
 
-/// A share of 0 to 1, clamped and rounded, as a whole number from 0 to `most`; 0 for what is no number.
+/// Share of 0 to 1, clamped and rounded, as a whole number from 0 to `most`; 0 for NaN.
 inline std::uint32_t shareOf(float share, float most) {
     if (!(share > 0)) return 0;
     return static_cast<std::uint32_t>(share < 1 ? share * most + 0.5F : most);

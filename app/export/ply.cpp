@@ -12,7 +12,7 @@ namespace {
 constexpr float kPerMetre = 1000; // mm
 constexpr size_t kMostNoteBytes = 200;
 
-/// IEC 61966-2-1.
+/// Share as displayed, by IEC 61966-2-1.
 float shownShare(float light) {
     return light <= 0.0031308F ? 12.92F * light : 1.055F * std::pow(light, 1 / 2.4F) - 0.055F;
 }

@@ -1,4 +1,4 @@
-// Keeps a file of the user's that cannot be used, before a new one takes its place.
+// The move or copy of a user's unusable file, before a new one takes its place.
 #pragma once
 
 #include <filesystem>
@@ -8,12 +8,12 @@ namespace meltpool {
 
 struct AsideFile {
     bool kept = false;
-    std::string sentence; ///< where it is, or why it could not be kept
-    bool before = false;  ///< it was kept earlier, to the last byte
+    std::string sentence; ///< its new place, or the reason why it could not be moved or copied
+    bool before = false;  ///< true: an identical copy existed already
 };
 
-/// Keeps `file` beside itself as NAME.broken-N.EXTENSION, with the first N that is free. `whole`: nothing in it is
-/// usable, so it is renamed; else it is copied, once.
+/// Moves or copies `file` to NAME.broken-N.EXTENSION in its folder, with the first N that is free. `whole`: nothing in
+/// it is usable, so it is renamed; else it is copied, once.
 AsideFile keepAside(const std::filesystem::path& file, bool whole);
 
 } // namespace meltpool

@@ -22,7 +22,7 @@ Utf8Console::Utf8Console() : codePage_(GetConsoleOutputCP()) {
 }
 
 Utf8Console::~Utf8Console() {
-    // The console goes on with the next program.
+    // The next program in this console expects the old settings.
     if (errorIsConsole_) SetConsoleMode(GetStdHandle(STD_ERROR_HANDLE), errorMode_);
     if (codePage_ != 0) SetConsoleOutputCP(codePage_);
 }

@@ -1,4 +1,4 @@
-// The console that Windows starts the program from, and the words it was started with.
+// The console that Windows starts the program from, and the words of its command line.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace meltpool {
 
-/// While it lives the console shows UTF-8 and understands the signs that move the cursor.
+/// Console that shows UTF-8 and understands cursor sequences during this object's lifetime.
 class Utf8Console {
   public:
     Utf8Console();
@@ -20,7 +20,7 @@ class Utf8Console {
     bool errorIsConsole_ = false;
 };
 
-/// The program's words as UTF-8, the program's own name first.
+/// Words of the command line as UTF-8, the program's own name first.
 std::vector<std::string> commandLineWords();
 
 } // namespace meltpool

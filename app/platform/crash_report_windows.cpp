@@ -24,13 +24,14 @@ namespace meltpool {
 namespace {
 
 constexpr int kMostCalls = 48;
-constexpr ULONG kStackForReport = 64 << 10;          ///< bytes, kept for a report of a stack that is full
-constexpr wchar_t kDumpWord[] = L"--write-minidump"; ///< the first word of a process that writes one, and none else's
-constexpr DWORD kAbort = 0xE0000A0B;                 ///< the code of abort() and of exceptions of C++ in a report
+constexpr ULONG kStackForReport = 64 << 10; ///< bytes, reserved for the report of a stack overflow
+constexpr wchar_t kDumpWord[] =
+    L"--write-minidump";             ///< first word of a process that writes a minidump, and of no other
+constexpr DWORD kAbort = 0xE0000A0B; ///< code for abort() and C++ exceptions in a report
 
 std::wstring reportFolder;
 std::string reportVersion;
-std::array<char, 256> reason{};  ///< what an exception of C++ says
+std::array<char, 256> reason{};  ///< message of a C++ exception
 std::atomic<DWORD> reporter = 0; ///< the thread that writes the report
 
 void write(HANDLE file, const char* text) {
@@ -44,14 +45,14 @@ void writeLine(HANDLE file, Texts... texts) {
     write(file, "\r\n");
 }
 
-/// "0x1234"
+/// Number as "0x1234".
 struct Hexadecimal {
     explicit Hexadecimal(DWORD64 value) { std::snprintf(text.data(), text.size(), "0x%llx", value); }
     const char* c_str() const { return text.data(); }
     std::array<char, 24> text{};
 };
 
-/// "meltpool.exe+0x1234" for an address in the code of a module.
+/// Writes "meltpool.exe+0x1234" for an address in the code of a module.
 void writePlace(HANDLE file, DWORD64 address) {
     DWORD64 base = 0;
     RtlLookupFunctionEntry(address, &base, nullptr);
@@ -65,7 +66,7 @@ void writePlace(HANDLE file, DWORD64 address) {
         writeLine(file, "    ", last, "+", Hexadecimal(address - base).c_str());
 }
 
-/// The calls that led to `context`, the newest first.
+/// Writes the calls that led to `context`, the newest first.
 void writeCalls(HANDLE file, CONTEXT context) {
     for (int i = 0; i < kMostCalls && context.Rip != 0; ++i) {
         writePlace(file, context.Rip);
@@ -75,7 +76,7 @@ void writeCalls(HANDLE file, CONTEXT context) {
             RtlVirtualUnwind(UNW_FLAG_NHANDLER, base, context.Rip, function, &context, &handler, &frame, nullptr);
             continue;
         }
-        // A function without an entry keeps nothing on the stack but the way back.
+        // A function without an entry has only its return address on the stack.
         if (IsBadReadPtr(reinterpret_cast<void*>(context.Rsp), sizeof(DWORD64)) != FALSE) return;
         context.Rip = *reinterpret_cast<DWORD64*>(context.Rsp);
         context.Rsp += sizeof(DWORD64);
@@ -103,9 +104,9 @@ HANDLE makeFile(const std::wstring& stem, const wchar_t* extension) {
                        FILE_ATTRIBUTE_NORMAL, nullptr);
 }
 
-/// Has another process of this program write the minidump and waits for it, but not for ever. Written by the crashed
-/// process itself it would stop threads of which one may hold what the writing needs. False: there is none, and no part
-/// of one either.
+/// Starts another process of this program that writes the minidump and waits for it, up to a limit. The crashed process
+/// would stop threads of which one may hold a lock that the writing needs. False: there is none, and no part of one
+/// either.
 bool writeDump(const std::wstring& stem, EXCEPTION_POINTERS* what) {
     constexpr DWORD kPatience = 30000; // ms; under Wine it takes 8 to 11 s on two cores, longer where others use them
     constexpr DWORD kFarewell = 2000;  // ms, until the file that it holds can be removed
@@ -141,7 +142,7 @@ void tell(const std::wstring& file) {
     write(error, " tells its makers where; what was recorded up to here is kept\n");
 }
 
-/// Without the way out through destructors and libraries, which a crash may have left in any state.
+/// Ends the process without destructors and libraries, which a crash may have left in any state.
 [[noreturn]] void endProcess(DWORD code) {
     TerminateProcess(GetCurrentProcess(), code);
     std::_Exit(1);
@@ -177,7 +178,7 @@ LONG WINAPI onException(EXCEPTION_POINTERS* what) {
     report(what, what->ExceptionRecord->ExceptionCode);
 }
 
-/// abort() and std::terminate() raise no exception of Windows by themselves.
+/// Reports from here: abort() and std::terminate() raise no exception of Windows by themselves.
 [[noreturn]] void reportHere() {
     CONTEXT context{};
     RtlCaptureContext(&context);

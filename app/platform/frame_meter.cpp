@@ -23,7 +23,7 @@ void FrameMeter::take() {
     for (size_t place = 0; place < kWorkPlaces; ++place)
         sum_[place] += work_.seconds(static_cast<WorkPlace>(place)) * 1000;
     const double own = work_.cpuSeconds(WorkPlace::own) * 1000;
-    // During a call of the runtime this thread's own time is spent on waking the worker and on waking up again.
+    // During a call of the runtime this thread's own time goes into waking the worker and being woken.
     const double runtime =
         (work_.cpuSeconds(WorkPlace::runtime) + work_.cpuSeconds(WorkPlace::waiting) + work_.elsewhere().cpuSeconds) *
         1000;

@@ -1,5 +1,5 @@
-// What a frame of the running trainer costs the processor. With the tests' call counters loaded also how often it
-// allocates and waits for the GPU, and the graphics driver's share.
+// The cost of a running trainer's frame on the processor; with the tests' call counters loaded also its allocations,
+// its waits for the GPU, and the graphics driver's share.
 #pragma once
 
 #include "core/base/work_meter.hpp"
@@ -9,10 +9,10 @@
 
 namespace meltpool {
 
-/// The processor's time of a frame for ...
+/// Parts of a frame's processor time.
 enum class FrameWork {
-    own,     ///< the frame's thread outside the runtime, and outside the driver where call counters tell it apart
-    runtime, ///< calling the headset's runtime: every call but xrWaitFrame, and what stands around them on their thread
+    own,     ///< the frame's thread outside the runtime, and outside the driver if call counters separate it
+    runtime, ///< calls of the headset's runtime: every call but xrWaitFrame, and the code around them on their thread
     outside, ///< their sum
 };
 constexpr size_t kFrameWorks = 3;
@@ -29,19 +29,19 @@ class FrameMeter {
     };
 
     void begin();
-    /// Work between these two does not count as the frame's, such as writing the telemetry.
+    /// Excludes the work between these two from the frame, such as writing the telemetry.
     void pause();
     void resume();
     void end();
-    /// Adds what another thread did for this frame.
+    /// Adds the costs of another thread's work for this frame.
     void add(const WorkCosts& other);
-    /// Forgets the frames so far.
+    /// Resets all sums.
     void restart();
 
     const Totals& totals() const { return totals_; }
-    /// Of the last frame's thread, ms of the clock.
+    /// Clock time of the last frame's thread, ms.
     double lastMs(WorkPlace place) const { return last_[static_cast<size_t>(place)]; }
-    /// The processor's time of the last frame, and of the newest kKept ones, ms.
+    /// Processor time of the last frame, and of the newest kKept ones, ms.
     double lastMs(FrameWork work) const;
     double medianMs(FrameWork work) const;
     double leastMs(FrameWork work) const;

@@ -1,4 +1,5 @@
-// Starts the trainer from the start menu or for a lesson file, without a console; shows what the program complains of.
+// The launcher: starts the trainer from the start menu or for a lesson file, without a console, and shows its error
+// messages.
 #include <windows.h>
 
 #include <array>
@@ -9,12 +10,12 @@
 namespace {
 
 std::filesystem::path programFile() {
-    std::vector<wchar_t> name(32768); // the longest that there is
+    std::vector<wchar_t> name(32768); // the longest possible path
     GetModuleFileNameW(nullptr, name.data(), static_cast<DWORD>(name.size()));
     return std::filesystem::path(name.data()).parent_path() / "meltpool.exe";
 }
 
-/// The command line behind the launcher's own name.
+/// Command line after the launcher's own name.
 std::wstring givenWords() {
     const wchar_t* rest = GetCommandLineW();
     bool quoted = false;
@@ -23,7 +24,7 @@ std::wstring givenWords() {
     return rest;
 }
 
-/// Both ends of a pipe; the program inherits the end that is written.
+/// Both ends of a pipe; the program inherits the write end.
 struct Pipe {
     HANDLE read = nullptr, write = nullptr;
 
@@ -34,7 +35,7 @@ struct Pipe {
     }
 };
 
-/// What the program says until its end; only the last part of a long text.
+/// Text that the program writes until its end; only the last part of a long one.
 std::string readToEnd(HANDLE pipe) {
     constexpr size_t kMost = 2000;
     std::string said;

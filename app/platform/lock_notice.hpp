@@ -1,4 +1,4 @@
-// Tells on the terminal where a command's file or folder could not be locked.
+// The notice on the terminal that a command's file or folder could not be locked.
 #pragma once
 
 #include "core/base/file_lock.hpp"

@@ -1,6 +1,6 @@
 #include "app/platform/memory.hpp"
 
-#include <cstdlib> // tells whose C library it is
+#include <cstdlib> // defines the macros that name the C library
 
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -10,7 +10,7 @@ namespace meltpool {
 
 void giveLargeBlocksBack() {
 #ifdef __GLIBC__
-    constexpr int kLarge = 256 << 10, kKeptAtTop = 1 << 20; // bytes; setting either ends the library's own adapting
+    constexpr int kLarge = 256 << 10, kKeptAtTop = 1 << 20; // bytes; setting either ends the library's own adaptation
     mallopt(M_MMAP_THRESHOLD, kLarge);
     mallopt(M_TRIM_THRESHOLD, kKeptAtTop);
 #endif

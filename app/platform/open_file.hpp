@@ -5,8 +5,8 @@
 
 namespace meltpool {
 
-/// Starts `xdg-open` on the file. False where there is no desktop or no such program; whether something was shown
-/// nobody knows. Never waits and never throws for what fails.
+/// Starts `xdg-open` on the file. Returns false if there is no desktop or no such program; it is unknown if the file is
+/// really shown. Never waits and never throws for failures.
 bool openForPerson(const std::filesystem::path& file);
 
 } // namespace meltpool

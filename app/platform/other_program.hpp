@@ -7,11 +7,11 @@
 
 namespace meltpool {
 
-/// Where the program of this name is, in the folders of PATH; empty where there is none.
+/// Path of the program of this name, in the folders of PATH; empty if there is none.
 std::filesystem::path findProgram(const std::string& name);
 
-/// Runs it with these words after its name, each as it is, waits for its end and answers its exit code; -1 where it
-/// could not be started or was killed. It reads nothing; what it says goes where this program's goes.
+/// Runs it with these words after its name, passed unchanged, waits for its end and returns its exit code; -1 if it
+/// could not be started or was killed. Its standard input is empty; its output goes to this program's.
 int runToItsEnd(const std::filesystem::path& program, std::span<const std::string> words);
 
 } // namespace meltpool

@@ -11,7 +11,7 @@ namespace meltpool {
 
 namespace {
 
-/// One word of a command line, so that the program's own splitting gives it back: quoted, with the backslashes before
+/// Word of a command line, quoted so that the program's own splitting restores it: with the backslashes before
 /// quotation marks doubled.
 std::wstring quoted(const std::wstring& word) {
     std::wstring out = L"\"";

@@ -1,4 +1,4 @@
-// Which build of the program this is.
+// The version and the commit of this build.
 #pragma once
 
 #include <string>
@@ -6,13 +6,13 @@
 
 namespace meltpool {
 
-/// "0.1.0"
+/// Version: "0.1.0".
 std::string_view programVersion();
 
-/// The short commit it was built from, "-dirty" behind it where the sources were changed; "unknown" outside a checkout.
+/// Short commit it was built from, with "-dirty" if the sources were changed; "unknown" outside a checkout.
 std::string_view programCommit();
 
-/// Both, for people and records: "0.1.0 (1a2b3c4)".
+/// Version and commit, for people and records: "0.1.0 (1a2b3c4)".
 std::string programBuild();
 
 } // namespace meltpool

@@ -35,7 +35,7 @@ std::string progressLine(const std::string& what, double share, double seconds) 
     std::string line = what + "  [" + std::string(static_cast<size_t>(filled), '#') +
                        std::string(static_cast<size_t>(kWidth - filled), '.') + "]  " +
                        std::to_string(static_cast<int>(done * 100)) + " %";
-    // Before that the estimate would be too uncertain.
+    // Earlier the estimate would be too uncertain.
     if (done > 0.02 && seconds > 1)
         line += ", " + std::to_string(static_cast<long>(std::ceil(seconds / done - seconds))) + " s left";
     return line;

@@ -1,4 +1,4 @@
-// A line on the terminal that says how far a long piece of work is.
+// A line on the terminal with the progress of long work.
 #pragma once
 
 #include <chrono>
@@ -6,16 +6,16 @@
 
 namespace meltpool {
 
-/// Draws only where standard error is a terminal, at most ten times a second; logs and pipes stay clean.
+/// Progress bar. It draws only if standard error is a terminal, at most ten times a second; logs and pipes stay clean.
 class ProgressBar {
   public:
     explicit ProgressBar(std::string what);
-    /// Takes the line away.
+    /// Erases the line.
     ~ProgressBar();
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
 
-    /// `done` of `whole`, in any unit.
+    /// Shows `done` of `whole`, in any unit.
     void show(double done, double whole);
 
   private:
@@ -28,7 +28,7 @@ class ProgressBar {
     Clock::time_point next_ = start_;
 };
 
-/// The line's text: "classic  [#####.....]  50 %, 4 s left". `seconds`: passed since the start.
+/// Text of the line: "classic  [#####.....]  50 %, 4 s left". `seconds`: passed since the start.
 std::string progressLine(const std::string& what, double share, double seconds);
 
 } // namespace meltpool

@@ -1,4 +1,4 @@
-// What a command says on standard output beside its result; --quiet leaves it out.
+// The messages of a command on standard output; --quiet leaves out all but the result.
 #pragma once
 
 #include <filesystem>
@@ -6,17 +6,17 @@
 
 namespace meltpool {
 
-/// From now on only sayResult() says something: the path.
+/// Silences everything but the path in sayResult().
 void beQuiet();
 bool isQuiet();
 
-/// A sentence, as std::printf() formats it.
+/// Prints a sentence, as std::printf() formats it.
 #if defined(__GNUC__)
 [[gnu::format(printf, 1, 2)]]
 #endif
 void say(const char* format, ...);
 
-/// Where the result of the command is: `sentence`, or the path alone where the program is quiet; each on a line.
+/// Prints the place of the command's result: `sentence`, or only the path if the program is quiet; each on a line.
 void sayResult(const std::string& sentence, const std::filesystem::path& path);
 
 } // namespace meltpool

@@ -9,9 +9,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds kLook(50); ///< between two looks at the signals
+constexpr std::chrono::milliseconds kLook(50); ///< between two checks of the signals
 
-constexpr long long kSecondWish = 300; ///< ms after the first; sooner it is the same one from somewhere else
+constexpr long long kSecondWish = 300; ///< ms after the first; an earlier one is its duplicate from another sender
 
 long long now() {
     return std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now().time_since_epoch()).count();
@@ -68,7 +68,7 @@ void StopSignals::endAfter(std::chrono::milliseconds patience, std::function<voi
 }
 
 void StopSignals::grantStop() {
-    // Waits for ever where the watcher is ending the process, as it holds the lock.
+    // Blocks forever if the watcher is ending the process, because it holds the lock.
     const std::lock_guard lock(mutex_);
     granted_ = true;
 }

@@ -1,4 +1,5 @@
-// Ctrl-C, an end of the session and a closed terminal as a wish to stop, which a program grants in its own time.
+// The request to stop, from Ctrl-C, the end of the session or a closed terminal, which a program grants in its own
+// time.
 #pragma once
 
 #include <chrono>
@@ -9,17 +10,17 @@
 
 namespace meltpool {
 
-/// While it lives SIGINT, SIGTERM and SIGHUP ask to stop. Ctrl-C (SIGINT) a while after that ends the process at once
-/// with exit code 1; others may come twice on their own, from a terminal and from its shell. A SIGHUP that the parent
-/// ignores (nohup) stays ignored. Under Windows these are Ctrl-C, Ctrl-Break, and the end of console, session or
-/// system, which the program delays by up to kFarewell. One at a time in a process.
+/// Signals that ask to stop, during this object's lifetime: SIGINT, SIGTERM and SIGHUP. Ctrl-C (SIGINT) a while after
+/// that ends the process at once with exit code 1; others may come twice on their own, from a terminal and from its
+/// shell. A SIGHUP that the parent ignores (nohup) stays ignored. On Windows these are Ctrl-C, Ctrl-Break, and the end
+/// of console, session or system, which the program delays by up to kFarewell. One at a time in a process.
 class StopSignals {
   public:
-    /// Windows itself ends a program five seconds after it closed the console.
+    /// Delay of the end: Windows itself ends a program five seconds after it closed the console.
     static constexpr std::chrono::milliseconds kFarewell{4500};
 
-    /// `answer`: a line for standard error when the first signal comes, such as what is still finished; it must live as
-    /// long as this object. None: nothing is said.
+    /// Starts. `answer`: a line for standard error when the first signal comes, such as the work that is still
+    /// finished; it must live as long as this object. Null: prints nothing.
     explicit StopSignals(const char* answer = nullptr);
     ~StopSignals();
     StopSignals(const StopSignals&) = delete;
@@ -27,21 +28,21 @@ class StopSignals {
 
     static bool asked();
 
-    /// A signal came; `interrupt`: Ctrl-C. Allocates nothing and waits for no lock.
+    /// Takes a signal; `interrupt`: Ctrl-C. Allocates nothing and waits for no lock.
     static void wish(bool interrupt);
 
-    /// Who was asked and does not come to grantStop() within `patience`, as in a step of minutes, is ended: `last` is
-    /// called on a thread of its own, then the process ends with exit code 1.
+    /// Ends a program that was asked to stop but does not reach grantStop() within `patience`, as in a step of minutes:
+    /// calls `last` on a thread of its own, then ends the process with exit code 1.
     void endAfter(std::chrono::milliseconds patience, std::function<void()> last);
 
-    /// To be called by who was asked before it ends in order. From now on endAfter() ends nothing; does not return
-    /// where that has begun.
+    /// Grants the stop; call it after a request and before ending in order. From now on endAfter() ends nothing; does
+    /// not return if that has begun.
     void grantStop();
 
   private:
     void watch();
-    void catchSignals(); ///< from now on each calls wish()
-    void leaveSignals(); ///< as it was before
+    void catchSignals(); ///< makes each signal call wish()
+    void leaveSignals(); ///< restores the earlier handlers
     /// Writes to standard error; may be called in a signal handler.
     static void say(const char* sentence);
 
@@ -51,7 +52,7 @@ class StopSignals {
     std::function<void()> last_;
     bool granted_ = false;
     std::thread watcher_;
-    // Handlers that were there before, where the system has such.
+    // Earlier handlers, on systems that have them.
     void (*interrupt_)(int) = nullptr;
     void (*terminate_)(int) = nullptr;
     void (*hangUp_)(int) = nullptr;

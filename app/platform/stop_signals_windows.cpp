@@ -8,10 +8,10 @@ namespace meltpool {
 
 namespace {
 
-/// Windows calls it on a thread of its own.
+/// Handler that Windows calls on a thread of its own.
 BOOL WINAPI askToStop(DWORD event) {
     StopSignals::wish(event == CTRL_C_EVENT);
-    // Closing the console ends the program as soon as this returns.
+    // Windows ends the program on a closed console as soon as this returns.
     if (event == CTRL_CLOSE_EVENT || event == CTRL_LOGOFF_EVENT || event == CTRL_SHUTDOWN_EVENT)
         Sleep(static_cast<DWORD>(StopSignals::kFarewell.count()));
     return TRUE;

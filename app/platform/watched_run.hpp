@@ -1,4 +1,4 @@
-// Runs the program a second time and keeps what it complains of, for people who started it without a terminal.
+// A second run of the program that captures its error messages, for people who started it without a terminal.
 #pragma once
 
 #include <optional>
@@ -9,18 +9,18 @@
 namespace meltpool {
 
 struct WatchedEnd {
-    int code = 0;          ///< exit code; 128 and the signal's number where a signal ended it
-    std::string complaint; ///< the end of what it wrote to standard error, at most 2000 bytes; it went there too
+    int code = 0;          ///< exit code; 128 and the signal's number if a signal ended it
+    std::string complaint; ///< end of its standard error output, at most 2000 bytes; it was written there too
 };
 
-/// Runs this program with these words and waits for its end. Where this process is ended the other one is asked to end
-/// too. Throws RuntimeFault where it cannot be started.
+/// Runs this program with these words and waits for its end. If this process is asked to end, so is the other one.
+/// Throws RuntimeFault if it cannot be started.
 WatchedEnd runWatched(std::span<const std::string> words);
 
-/// A sentence or several for the person; empty where the run ended well.
+/// One or more sentences for the person; empty if the run ended well.
 std::string endSentence(const WatchedEnd& end);
 
-/// The words of a command line without `option`; nothing where it is not among them.
+/// Words of a command line without `option`; nothing if it is not among them.
 std::optional<std::vector<std::string>> withoutOption(int argc, const char* const* argv, const std::string& option);
 
 } // namespace meltpool

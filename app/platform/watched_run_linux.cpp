@@ -18,10 +18,10 @@ namespace {
 
 constexpr size_t kMostBytes = 2000;
 
-/// In the child: becomes the program. Does not return.
+/// Becomes the program, in the child. Does not return.
 [[noreturn]] void become(std::vector<char*>& words, int errors, pid_t parent) {
     ::prctl(PR_SET_PDEATHSIG, SIGTERM);
-    if (::getppid() != parent) ::_exit(1); // it ended before
+    if (::getppid() != parent) ::_exit(1); // the parent ended before
     ::dup2(errors, STDERR_FILENO);
     ::close(errors);
     ::execv("/proc/self/exe", words.data());
@@ -36,7 +36,7 @@ std::string readToEnd(int errors) {
         const ssize_t bytes = ::read(errors, part.data(), part.size());
         if (bytes < 0 && errno == EINTR) continue;
         if (bytes <= 0) return said;
-        // A standard error that takes nothing is no reason to lose the rest.
+        // A failing standard error is no reason to lose the rest.
         [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, part.data(), static_cast<size_t>(bytes));
         said.append(part.data(), static_cast<size_t>(bytes));
         if (said.size() > kMostBytes) said.erase(0, said.size() - kMostBytes);

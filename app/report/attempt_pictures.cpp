@@ -19,7 +19,7 @@ View viewOf(const CameraParameters& camera, float aspect) {
     return orbit.view(lens, aspect);
 }
 
-/// What the gauge measures on a section, drawn into its picture as a station of the weld is judged.
+/// Measures of the gauge on a section, drawn as for a judged station of the weld.
 std::vector<SectionStroke> measureStrokes(const WeldSection& section, const WorkpieceParameters& workpiece,
                                           const View& view, const SceneView& scene) {
     const WeldKind kind = weldKindOf(workpiece);
@@ -38,13 +38,13 @@ Image takePicture(Renderer& renderer, const PictureTarget& target, LessonScene& 
     const View view = viewOf(picture.camera, aspect);
     const Trainer& trainer = shown.trainer();
     SceneView scene = shown.view();
-    if (!picture.look.showSource) scene.putTorchAway(); // the torch is the source of a weld
+    if (!picture.look.showSource) scene.putTorchAway(); // in a weld the torch is the source
     std::optional<WeldSection> section;
     if (picture.sectionAt) {
         section = trainer.section(static_cast<double>(*picture.sectionAt));
         scene.section = {true, *picture.sectionAt, section ? &section->map : nullptr};
         scene.putTorchAway();
-        scene.room.shown = false; // the cut metal by itself
+        scene.room.shown = false; // shows only the cut metal
     }
     lookThroughTable(scene, view);
     std::vector<SectionStroke> strokes;

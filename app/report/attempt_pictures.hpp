@@ -10,8 +10,8 @@
 
 namespace meltpool {
 
-/// Draws the metal as it is, with the surface of the last updateSurface(), into `target` and reads it. Waits for the
-/// GPU. `adorn`, where there is one, adds to the scene what is seen from this view.
+/// Draws the metal in its present state, with the surface of the last updateSurface(), into `target` and reads it.
+/// Waits for the GPU. `adorn`, if set, adds objects that this view sees to the scene.
 Image takePicture(Renderer& renderer, const PictureTarget& target, LessonScene& shown, const PictureLook& picture,
                   const std::function<void(SceneView&, const View&)>& adorn = {});
 

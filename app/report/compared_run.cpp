@@ -9,7 +9,7 @@ namespace {
 
 using nlohmann::json;
 
-/// An object in a result; an empty one where it is missing.
+/// Object in a result; an empty one if it is missing.
 const json& objectIn(const json& result, const char* key) {
     static const json none = json::object();
     if (!result.is_object()) return none;
@@ -27,7 +27,7 @@ void addNumbers(const json& object, std::map<std::string, double>& values) {
         if (value.is_number()) values[key] = value.get<double>();
 }
 
-/// Mean of a column of technique.csv over the judged millimetres; NaN where none knows it.
+/// Mean of a column of technique.csv over the judged millimetres; NaN if it has none.
 double judgedMean(const NumberTable& table, std::string_view column) {
     const std::vector<double> values = table.column(column), judged = table.column("judged");
     double sum = 0;

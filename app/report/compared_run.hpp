@@ -9,12 +9,12 @@
 namespace meltpool {
 
 struct ComparedRun {
-    std::string name; ///< for people
+    std::string name; ///< name for people
     RunResults results;
 };
 
-/// The figures of a run as its files have them: the same that figuresOf() takes from a judgement. What is not there, or
-/// not what a run writes, is left out.
+/// Figures of a run from its files, equal to those that figuresOf() takes from a judgement. Values that are missing, or
+/// that no run writes, are left out.
 AttemptFigures figuresOf(const RunResults& results);
 
 Comparison compareRuns(const ComparedRun& first, const ComparedRun& second);

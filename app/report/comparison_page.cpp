@@ -34,8 +34,7 @@ input[name=unit] { accent-color: #1f5fbf } .in { display: none }
 @media print { input, label { display: none } }
 )";
 
-/// A number with its unit, a length also in inches, of which the page shows one. `sign`: a plus before what is above
-/// 0.
+/// Number with its unit, a length also in inches, of which the page shows one. `sign`: a plus before positive numbers.
 std::string withInches(double value, const std::string& unit, int decimals, bool sign) {
     const auto text = [&](double number, int places, const std::string& name) {
         const char* gap = name.empty() || name == "%" || name == "°" ? "" : " ";
@@ -52,7 +51,7 @@ std::string withInches(double value, const std::string& unit, int decimals, bool
     return text(value, decimals, unit);
 }
 
-/// What a repetition is of its recording, and the verdict, in a few words.
+/// Result of a repetition against its recording, and the verdict, in a few words.
 std::string describe(const ComparedRun& run) {
     const json& result = run.results.result;
     std::string text = textIn(result, "lesson") + " · " + textIn(result, "torch");
@@ -173,7 +172,7 @@ Curve curveOf(const NumberTable& table, std::string_view column, const std::stri
     return curve.values.size() == curve.places.size() ? curve : Curve{title, unit, {}, {}, std::nullopt};
 }
 
-/// What the first attempt's lesson asks of a quantity.
+/// Band of the first attempt's lesson for a quantity.
 std::optional<CurveBand> bandOf(const json& result, const std::string& key) {
     try {
         const json& value = result.at("score").at("values").at(key);

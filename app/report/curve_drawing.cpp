@@ -13,7 +13,7 @@ namespace {
 constexpr double kLeft = 36, kRight = 6, kTop = 17, kBottom = 18;
 constexpr double kInch = 25.4; // mm
 
-/// What a millimetre of the unit is in the inch system; no second system where `unit` is empty.
+/// Length of a millimetre of the unit in the inch system; no second system if `unit` is empty.
 struct Inches {
     std::string_view unit;
     double perMm = 0;
@@ -29,7 +29,7 @@ std::string tickText(double value) {
     return withDecimalMark(formatNumber(static_cast<float>(value)));
 }
 
-/// Round numbers of one system along an axis; `scale` leads to millimetres and back.
+/// Draws round numbers of one system along an axis; `scale` leads to millimetres and back.
 template <class Draw>
 void drawTicks(const CurveRange& range, int about, double scale, const Draw& draw) {
     const CurveTicks ticks = curveTicks({range.from * scale, range.to * scale}, about);
@@ -93,7 +93,7 @@ class Drawing {
         });
     }
 
-    /// Broken where nothing is known; a single point is a short line, so that it is seen.
+    /// Draws the curve, with gaps where values are unknown; a single point is a short line, so that it is visible.
     void lines() {
         std::string points;
         size_t count = 0;

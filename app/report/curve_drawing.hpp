@@ -14,19 +14,19 @@ struct Curve {
     std::string title;
     std::string unit;           ///< "mm" and "mm/s" are shown in inches too, of which the page shows one
     std::vector<double> places; ///< mm along the seam, ascending
-    std::vector<double> values; ///< as many; NaN where nothing is known: the curve is broken there
+    std::vector<double> values; ///< as many as `places`; NaN if unknown: the curve has a gap there
     std::optional<CurveBand> band;
 };
 
-/// Units of a curve's drawing.
+/// Size of a curve's drawing, in its units.
 inline constexpr double kCurveWidth = 320, kCurveHeight = 92;
 
-/// Where the curve's points lie in its drawing; an empty range of values where there is nothing to draw. Two places
-/// that are farther apart than this, mm, are not joined.
+/// Sheet of the curve in its drawing; an empty range of values if there is nothing to draw. Two places farther apart
+/// than this, mm, are not joined.
 CurveSheet sheetOf(const Curve& curve);
 inline constexpr double kCurveGap = 1.5;
 
-/// An <svg> element of kCurveWidth x kCurveHeight. Nothing to draw (no finite value): an empty text.
+/// <svg> element of kCurveWidth x kCurveHeight. Nothing to draw (no finite value): an empty text.
 std::string curveDrawing(const Curve& curve);
 
 } // namespace meltpool

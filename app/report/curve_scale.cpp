@@ -7,11 +7,11 @@ namespace meltpool {
 
 namespace {
 
-constexpr double kAir = 1.1;         ///< of the band
-constexpr double kFarthest = 3;      ///< outer half widths
+constexpr double kAir = 1.1;         ///< of the band, for air around it
+constexpr double kFarthest = 3;      ///< outer half widths that are shown
 constexpr double kFlat = 1e-3;       ///< of its size, within which a curve counts as flat
 constexpr double kAround = 0.05;     ///< of its size, shown above and below a flat one
-constexpr double kLeastWidth = 1e-6; ///< of a band, in its unit
+constexpr double kLeastWidth = 1e-6; ///< least band, in its unit
 
 } // namespace
 
@@ -24,7 +24,7 @@ void CurveRange::take(double value) {
 CurveRange shownRange(const CurveRange& values, const std::optional<CurveBand>& band) {
     if (values.empty()) return values;
     if (!band) {
-        // What stays the same gets an axis to be read on, not its last digits as mountains.
+        // A constant value gets a readable axis, not its last digits as mountains.
         const double middle = 0.5 * (values.from + values.to), size = std::max(std::abs(middle), 1.0);
         if (values.to - values.from > kFlat * size) return values;
         return {middle - kAround * size, middle + kAround * size};

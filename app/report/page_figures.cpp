@@ -16,10 +16,10 @@ namespace {
 
 using nlohmann::json;
 
-/// An entry of `arc` in result.json. Its words are figure.KEY.name.
+/// Entry of `arc` in result.json. Its words are figure.KEY.name.
 struct ArcFigure {
     std::string_view key, unit;
-    int decimals = -1; ///< -1: as many as its unit has
+    int decimals = -1; ///< -1: the digits of its unit
 };
 
 constexpr std::array kArcFigures{
@@ -27,10 +27,10 @@ constexpr std::array kArcFigures{
     ArcFigure{"seconds", "s", 1},        ArcFigure{"seam_mm", "mm"},          ArcFigure{"travel_speed_mm_s", "mm/s"},
 };
 
-/// Entries that stand in the formula below the table.
+/// Entries in the formula below the table.
 constexpr std::array<std::string_view, 2> kInFormula{"efficiency_en_1011_1", "heat_input_kj_mm"};
 
-/// Lengths and the like in both systems of units, shares and counts with the table's digits.
+/// Text of a value: lengths and the like in both systems of units, shares and counts with the table's digits.
 std::string valueText(const WeldFigure& figure, double value) {
     if (figure.unit.empty()) return numberText(value, figure.digits);
     return figure.unit == "%" ? numberText(value, figure.digits) + " %" : measure(value, figure.unit);
@@ -43,7 +43,7 @@ std::string valueText(const ArcFigure& figure, double value) {
 
 using Keys = std::set<std::string, std::less<>>;
 
-/// The entry under a key as a row, where there is one; notes the key.
+/// Row for the entry under a key, if there is one; notes the key.
 template <class Figure>
 std::string rowOf(const json& part, std::string_view words, const Figure& figure, Keys& shown) {
     const std::string key(figure.key);
@@ -85,7 +85,7 @@ std::string table(const std::string& rows) {
     return rows.empty() ? rows : "<table>\n" + rows + "</table>\n";
 }
 
-/// The formula with its numbers, so that a reader can repeat it.
+/// Formula with its numbers, so that a reader can repeat it.
 std::string heatPart(const json& arc) {
     const auto heat = numberIn(arc, "heat_input_kj_mm"), k = numberIn(arc, "efficiency_en_1011_1");
     if (!heat) return {};

@@ -1,4 +1,4 @@
-// The part of the page that is about the hand: what each quantity scored, and the curves along the seam.
+// The part of the page about the hand: the score of each quantity, and the curves along the seam.
 #include "app/report/curve_drawing.hpp"
 #include "app/report/page_parts.hpp"
 #include "app/report/page_text.hpp"
@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-/// The quantity of a key of result.json, whichever kind of distance the process has; null for none.
+/// Quantity of a key of result.json, for any kind of the process's distance; null for none.
 const QuantityInfo* quantityOf(const std::string& key) {
     for (const DistanceKind kind : {DistanceKind::ctwd, DistanceKind::arcLength})
         for (const QuantityInfo& info : quantities(kind))
@@ -43,21 +43,21 @@ std::optional<CurveBand> bandOf(const json& value) {
     return CurveBand{*ideal, *inner, *outer};
 }
 
-/// The curve of a column of technique.csv; empty where it has nothing in it.
+/// Curve of a column of technique.csv; empty if it has no values.
 std::string drawn(const RunResults& results, std::string_view column, std::string title, std::string_view unit,
                   std::optional<CurveBand> band) {
     return curveDrawing({std::move(title), std::string(unit), results.technique.column("place_mm"),
                          results.technique.column(column), band});
 }
 
-/// Of a lesson that judges no technique: what every weld is led by.
+/// Curves for a lesson that judges no technique: those that matter in every weld.
 std::string plainCurves(const RunResults& results) {
     std::string curves;
     for (const DistanceKind kind : {DistanceKind::ctwd, DistanceKind::arcLength})
         for (const TechniqueQuantity quantity :
              {TechniqueQuantity::travelSpeed, TechniqueQuantity::workAngle, TechniqueQuantity::travelAngle,
               TechniqueQuantity::distance, TechniqueQuantity::aim}) {
-            // Only the distance is another one.
+            // The two kinds differ only in the distance.
             if (kind == DistanceKind::arcLength && quantity != TechniqueQuantity::distance) continue;
             const QuantityInfo& info = quantityInfo(quantity, kind);
             curves += drawn(results, info.column, capitalised(info.words()), info.unit, {});

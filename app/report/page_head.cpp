@@ -1,4 +1,4 @@
-// What the page says first: lesson, how the attempt was made, score, what to correct, and the weld's pictures.
+// The head of the page: lesson, how the attempt was made, score, corrections, and the weld's pictures.
 #include "app/report/page_parts.hpp"
 #include "app/report/page_text.hpp"
 #include "app/report/section_drawing.hpp"
@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-/// A list item of the head, `name` of page.fact; nothing where there is no value.
+/// List item of the head, `name` of page.fact; empty without a value.
 std::string fact(const char* name, const std::string& value) {
     return value.empty() ? std::string() : "<li><b>" + phraseOf("page.fact", name) + "</b> " + value + "</li>\n";
 }
@@ -22,7 +22,7 @@ std::string numberFact(const char* name, std::optional<double> value, int decima
     return value ? fact(name, numberText(*value, decimals) + unit) : std::string();
 }
 
-/// Who led the torch, and how it counts.
+/// Leader of the torch, and how the attempt counts.
 std::string kindOf(const json& result) {
     const json& attempt = partIn(result, "attempt");
     if (attempt.is_null()) return phrase("page.kind.path");
@@ -32,7 +32,7 @@ std::string kindOf(const json& result) {
     return phrase("page.kind.not_recorded");
 }
 
-/// What helped the hand; "none" only where all of it is known.
+/// Help for the hand; "none" only if all of it is known.
 std::string helpOf(const json& attempt) {
     std::string help;
     const auto add = [&](const std::string& word) { help += (help.empty() ? "" : phrase("list.separator")) + word; };
@@ -46,7 +46,7 @@ std::string helpOf(const json& attempt) {
     return help.empty() && known ? phrase("page.help.none") : help;
 }
 
-/// Of the attempt where a person made it, else of the run.
+/// Date of the attempt if a person made it, else of the run.
 std::string dateOf(const json& result) {
     const std::string attempt = textIn(partIn(result, "attempt"), "date");
     return attempt.empty() ? textIn(result, "date") : attempt;
@@ -66,7 +66,7 @@ std::string driverOf(const json& result) {
                                              : phrase("page.other_driver", {{"driver", run}, {"attempt", attempt}});
 }
 
-/// Whether a repeated record ended in the attempt's bits of metal.
+/// Sentence that a repeated record ended in the attempt's bits of metal, or did not.
 std::string sameOf(const json& result) {
     const json& same = partIn(partIn(result, "recorded"), "same");
     if (same == true) return phrase("page.repeated.same");
@@ -78,7 +78,7 @@ std::string realTimeOf(const json& attempt) {
     return ratio ? phrase("page.of_the_clock", {{"share", PhraseNumber(*ratio * 100)}}) : std::string();
 }
 
-/// What the weld is known by of a result: `section`, else the means of `weld`.
+/// Sizes of the weld in a result: `section`, else the means of `weld`.
 SectionSizes sizesOf(const json& result) {
     SectionSizes sizes;
     const json& section = partIn(result, "section");
@@ -102,7 +102,7 @@ bool isSection(const ReportPicture& picture) {
     return picture.name.find("section") != std::string::npos;
 }
 
-/// The weld from outside: the lesson's "metal", else its first picture that is no section.
+/// Picture of the weld from outside: the lesson's "metal", else its first picture that is no section.
 const ReportPicture* outsideOf(const std::vector<ReportPicture>& pictures) {
     const auto metal = std::find_if(pictures.begin(), pictures.end(), [](const auto& p) { return p.name == "metal"; });
     if (metal != pictures.end()) return &*metal;
@@ -115,7 +115,7 @@ std::string imageOf(const ReportPicture& picture, const std::string& caption) {
            "\"><figcaption>" + escaped(caption) + "</figcaption></figure>\n";
 }
 
-/// The lines of a sentence below each other.
+/// Lines of a sentence below each other.
 std::string withBreaks(const std::string& sentence) {
     std::string html;
     for (const char c : sentence)

@@ -73,7 +73,7 @@ std::string measure(std::optional<double> value, std::string_view unit) {
 }
 
 NamedUnit namedUnit(const std::string& key) {
-    // The longest ending first.
+    // Longest ending first.
     static constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kEndings{{{"_kj_mm", "kJ/mm"},
                                                                                             {"_mm_s", "mm/s"},
                                                                                             {"_mm2", "mm2"},

@@ -1,4 +1,4 @@
-// The part of the page that is about the verdict, with its places on the seam.
+// The part of the page about the verdict, with its places on the seam.
 #include "app/report/page_parts.hpp"
 #include "app/report/page_text.hpp"
 #include "app/report/seam_strip.hpp"
@@ -17,7 +17,7 @@ namespace {
 
 using nlohmann::json;
 
-/// States in the order in which the page shows them.
+/// States in the order of the page.
 constexpr std::array<std::string_view, 4> kStates{"fail", "not_resolved", "estimated", "pass"};
 
 size_t rankOf(const json& item) {
@@ -51,7 +51,7 @@ std::vector<std::pair<double, double>> stretchesOf(const json& item) {
     return stretches;
 }
 
-/// "at 12.0 mm; 10.0 mm to 14.0 mm"
+/// Text of the places: "at 12.0 mm; 10.0 mm to 14.0 mm".
 std::string whereText(const json& item) {
     const auto at = numberIn(item, "at_mm");
     if (!at || rawIn(item, "state") == "pass") return kDash;
@@ -61,13 +61,13 @@ std::string whereText(const json& item) {
     return text;
 }
 
-/// An item of the verdict, with the letter that it has on the strip; empty for one without a place there.
+/// Item of the verdict, with its letter on the strip; empty for one without a place there.
 struct LetteredItem {
     const json* item = nullptr;
     std::string letter;
 };
 
-/// They point into `items`.
+/// Items with letters; they point into `items`.
 std::vector<LetteredItem> lettered(const json& items) {
     std::vector<LetteredItem> all;
     if (!items.is_array()) return all;
@@ -81,7 +81,7 @@ std::vector<LetteredItem> lettered(const json& items) {
     return all;
 }
 
-/// The judged seam: the stations and half of what each stands for beyond the outer ones.
+/// Range of the judged seam: the stations and half of a station's pitch beyond the outer ones.
 std::pair<double, double> seamOf(const RunResults& results) {
     const std::vector<double> places = results.weld.column("place_mm");
     if (places.empty()) return {0, 0};

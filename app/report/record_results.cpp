@@ -25,7 +25,7 @@ constexpr double kMm = 1e-3; // m
 constexpr std::array kActions{ArcAction::out,      ArcAction::striking, ArcAction::burning,
                               ArcAction::shorting, ArcAction::stubbed,  ArcAction::breaking};
 
-/// The arc of each step from a record's columns.
+/// Arc of each step from a record's columns.
 class ArcColumns {
   public:
     ArcColumns(const fs::path& file, const TorchRecording& recording)
@@ -80,7 +80,7 @@ class ArcColumns {
     size_t length_, current_, voltage_, action_, distance_, extension_;
 };
 
-/// What spoils a score, before the steps where it happened.
+/// Events that spoil a score, before the steps at which they happened.
 class Events {
   public:
     explicit Events(const std::vector<RecordedEvent>& events) : events_(events) {}
@@ -99,7 +99,7 @@ class Events {
     bool tracked_ = true;
 };
 
-/// A step of an attempt: what the hand did and what the arc was.
+/// Step of an attempt: the hand and the arc.
 struct HandStep {
     TorchSample torch;
     ArcState arc;

@@ -8,9 +8,9 @@
 
 namespace meltpool {
 
-/// Technique, score and arc of a record or a recording of `lesson`, by the same measures as while it was welded. There
-/// is no weld in it, which a note says. Throws InputError for a file that is no record with an arc, or is one of
-/// another lesson, and what takeTorch() throws.
+/// Technique, score and arc of a record or a recording of `lesson`, by the measures used during the weld. There is no
+/// weld in it, which a note says. Throws InputError for a file that is no record with an arc, or is one of another
+/// lesson, and whatever takeTorch() throws.
 RunResults readRecordResults(const std::filesystem::path& record, const Lesson& lesson);
 
 } // namespace meltpool

@@ -8,10 +8,10 @@
 
 namespace meltpool {
 
-/// HTML 5: the head, score and what to correct, pictures or the drawn section, the hand's curves with the lesson's
-/// bands, the verdict with its places on a strip of the seam, the weld's figures, the arc and its heat input. Pictures
-/// are part of the page. Lengths in mm, or in inches by a switch that needs no script; two sides of A4 in print. What
-/// is missing is told.
+/// HTML 5: the head, score and corrections, pictures or the drawn section, the hand's curves with the lesson's bands,
+/// the verdict with its places on a strip of the seam, the weld's figures, the arc and its heat input. Pictures are
+/// part of the page. Lengths in mm, or in inches by a switch that needs no script; two sides of A4 in print. Missing
+/// parts are named.
 std::string reportPage(const RunResults& results);
 
 } // namespace meltpool

@@ -28,7 +28,7 @@ nlohmann::json resultIn(const std::string& text, const fs::path& file) {
     return result;
 }
 
-/// Pictures are called by their time, "012.000s-metal.png": those of the last time.
+/// Pictures of the last time; their names begin with it: "012.000s-metal.png".
 std::vector<ReportPicture> lastPictures(const fs::path& folder) {
     std::vector<fs::path> pictures;
     std::error_code failed;

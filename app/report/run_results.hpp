@@ -1,4 +1,4 @@
-// What a run has left in its folder, read for a report.
+// The files of a run's folder, read for a report.
 #pragma once
 
 #include "core/training/judging/judgement.hpp"
@@ -12,44 +12,44 @@
 
 namespace meltpool {
 
-/// A CSV file of numbers: cells that are empty or no number are NaN.
+/// CSV file of numbers: cells that are empty or no number are NaN.
 struct NumberTable {
     std::vector<std::string> columns;
     std::vector<std::vector<double>> rows; ///< each as long as `columns`
 
-    /// The values of a column; empty where there is none of this name.
+    /// Values of a column; empty if there is none of this name.
     std::vector<double> column(std::string_view name) const;
 };
 
-/// Reads one from its text; `file` is named in faults. Throws as readNumberTable().
+/// Reads a table from its text; `file` is named in faults. Throws as readNumberTable().
 NumberTable numberTable(const std::string& text, const std::filesystem::path& file);
 
-/// Reads one. Throws InputError naming file and line for a row that is not as long as the header, for what TableReader
-/// refuses, and for a file that cannot be read.
+/// Reads a table. Throws InputError naming file and line for a row whose length differs from the header's, for faults
+/// that TableReader refuses, and for a file that cannot be read.
 NumberTable readNumberTable(const std::filesystem::path& file);
 
-/// A picture of the weld, as part of a page.
+/// Picture of the weld, as part of a page.
 struct ReportPicture {
-    std::string name; ///< of the lesson's picture, such as "metal" or "section"
+    std::string name; ///< name of the lesson's picture, such as "metal" or "section"
     std::string png;  ///< bytes of the file
 };
 
-/// What is known of an attempt. All of it is read, nothing computed.
+/// Data of an attempt. All of it is read, nothing computed.
 struct RunResults {
     nlohmann::json result; ///< result.json
-    NumberTable technique; ///< technique.csv; empty where the lesson has none
+    NumberTable technique; ///< technique.csv; empty if the lesson has none
     NumberTable weld;      ///< weld.csv
     std::vector<ReportPicture> pictures;
-    std::vector<std::string> notes; ///< sentences of what a reader should know, such as that parts are missing
+    std::vector<std::string> notes; ///< sentences for the reader, such as that parts are missing
 };
 
-/// The results of an attempt that was judged just now, as if its run's folder had been read: `entries` of its
-/// result.json, technique and weld from the judgement. Without pictures.
+/// Results of an attempt that was judged just now, as if its run's folder had been read: `entries` of its result.json,
+/// technique and weld from the judgement. Without pictures.
 RunResults resultsOf(const nlohmann::ordered_json& entries, const Judgement& judgement);
 
 /// Reads result.json, technique.csv, weld.csv and the pictures of the last moment of a run's folder. `place`: the
-/// folder, or the result.json in it. Throws InputError for a folder without a finished run, and for files that are not
-/// what a run writes.
+/// folder, or the result.json in it. Throws InputError for a folder without a finished run, and for files that no run
+/// writes.
 RunResults readRunResults(const std::filesystem::path& place);
 
 } // namespace meltpool

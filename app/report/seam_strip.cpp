@@ -15,7 +15,7 @@ namespace {
 constexpr double kInch = 25.4; // mm
 constexpr double kTop = 34, kBottom = 46, kHeight = 72;
 constexpr double kLetterRow = 10; ///< between two rows of letters
-constexpr double kClose = 12;     ///< letters that are nearer than this stand in rows
+constexpr double kClose = 12;     ///< letters closer than this are placed in rows
 
 class Strip {
   public:
@@ -39,7 +39,7 @@ class Strip {
   private:
     double x(double place) const { return stripX(place, from_, to_); }
 
-    /// Red, and hatched for printers without colour.
+    /// Draws a stretch in red, hatched for printers without colour.
     void stretch(double low, double high) {
         const double left = x(low), right = x(high);
         svg_.rectangle(left, kTop, right, kBottom, "fault");
@@ -70,7 +70,7 @@ class Strip {
     double from_, to_;
     SvgText svg_;
     double last_ = -kStripWidth; ///< x of the letter before
-    int row_ = 0;                ///< in which it stands
+    int row_ = 0;                ///< row of the letter before
 };
 
 } // namespace

@@ -11,18 +11,18 @@ namespace meltpool {
 namespace {
 
 constexpr double kInch = 25.4;   // mm
-constexpr double kLargest = 16;  ///< units a millimetre
+constexpr double kLargest = 16;  ///< units per millimetre
 constexpr double kPicture = 200; ///< units of the width; the rest is for words
 constexpr double kEdge = 8;      ///< units free around it
-constexpr double kPlate = 4;     ///< mm of plate where its thickness is not known
-constexpr double kBeside = 0.3;  ///< of the weld's width: how much plate is shown beside it
+constexpr double kPlate = 4;     ///< mm of plate if its thickness is not known
+constexpr double kBeside = 0.3;  ///< of the weld's width: plate on each side of it
 constexpr double kRow = 12;      ///< units from word to word
 
 double plateOf(const SectionSizes& sizes) {
     return sizes.thickness.value_or(std::max(kPlate, sizes.penetration.value_or(0) * 1.2));
 }
 
-/// What the drawing has to hold, mm.
+/// Size that the drawing has to hold, mm.
 struct Extent {
     double width = 0, height = 0;
 };
@@ -62,7 +62,7 @@ class Drawing {
                        originY_ - bottom * scale_, "plate");
     }
 
-    /// The origin is the middle of the face.
+    /// Draws a bead; the origin is the middle of the face.
     void bead() {
         const Extent extent = extentOf(sizes_);
         originX_ = kEdge + extent.width / 2 * scale_;
@@ -78,7 +78,7 @@ class Drawing {
         svg_.path("M" + at(-half, 0) + "Q" + at(0, 2 * *sizes_.height) + at(half, 0) + "Z", "weld");
     }
 
-    /// The origin is the joint's corner, the lying plate to the right.
+    /// Draws a fillet; the origin is the joint's corner, the base plate to the right.
     void fillet() {
         const double thick = plateOf(sizes_), lying = *sizes_.legLying, standing = *sizes_.legStanding;
         originX_ = kEdge + thick * scale_;
@@ -86,7 +86,7 @@ class Drawing {
         plate(-thick, -thick, lying * (1 + kBeside), 0);
         plate(-thick, 0, 0, standing * (1 + kBeside));
         fusedCorner(lying, standing);
-        // The face's middle lies where the throat ends.
+        // The face's middle is where the throat ends.
         const double chord = std::hypot(lying, standing);
         const double out = chord > 0 ? sizes_.throat.value_or(lying * standing / chord) - lying * standing / chord : 0;
         const double x = lying / 2 + 2 * out * standing / std::max(chord, 1e-9);
@@ -94,7 +94,7 @@ class Drawing {
         svg_.path("M" + at(0, 0) + "L" + at(lying, 0) + "Q" + at(x, y) + at(0, standing) + "Z", "weld");
     }
 
-    /// Of both plates, as deep as was measured at its deepest, over the share of the faces that is fused.
+    /// Draws the fusion of both plates, as deep as the deepest measurement, over the fused share of the faces.
     void fusedCorner(double lying, double standing) {
         const double depth = sizes_.penetration.value_or(0);
         const double share = std::min(1.0, sizes_.fusedWidth.value_or(0) / std::max(lying + standing, 1e-9));

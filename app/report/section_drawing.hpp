@@ -6,7 +6,7 @@
 
 namespace meltpool {
 
-/// All in mm; what is not known or does not apply is left out of the drawing.
+/// Sizes in mm; one that is unknown or does not apply is left out of the drawing.
 struct SectionSizes {
     std::optional<double> thickness;        ///< of the plate
     std::optional<double> toeWidth, height; ///< of a bead
@@ -16,15 +16,15 @@ struct SectionSizes {
     bool fillet() const { return legLying && legStanding; }
 };
 
-/// Units of the drawing, which is kSectionWidth x kSectionHeight.
+/// Size of the drawing.
 inline constexpr double kSectionWidth = 320, kSectionHeight = 130;
 
-/// Units a millimetre, so that everything that is drawn has room; 0 where there is nothing to draw.
+/// Units per millimetre, so that everything has room; 0 if there is nothing to draw.
 double sectionScale(const SectionSizes& sizes);
 
-/// An <svg> element with the sizes beside it; empty where neither a bead's width and height nor a fillet's legs are
-/// known. The outline of a bead is a parabola over its toes, that of a fillet one through its throat; the fused zone is
-/// an ellipse of its width and depth.
+/// <svg> element with the sizes next to it; empty if neither a bead's width and height nor a fillet's legs are known.
+/// The outline of a bead is a parabola over its toes, that of a fillet one through its throat; the fused zone is an
+/// ellipse of its width and depth.
 std::string sectionDrawing(const SectionSizes& sizes);
 
 } // namespace meltpool

@@ -6,32 +6,32 @@
 
 namespace meltpool {
 
-/// The text as HTML and SVG show it: &, <, > and quotes escaped, control characters left out.
+/// Text as HTML and SVG show it: &, <, > and quotes escaped, control characters left out.
 std::string escaped(std::string_view text);
 
-/// Rounded to so many decimals, "-" only before what is not 0.
+/// Number rounded to so many decimals, "-" only before a non-zero result.
 std::string rounded(double value, int decimals);
 
-/// A drawing of width x height units that grows by its shapes. Styles are classes of the page's style sheet.
+/// Drawing of width x height units that grows by its shapes. Styles are classes of the page's style sheet.
 class SvgText {
   public:
     SvgText(double width, double height, std::string_view description);
 
     void rectangle(double left, double top, double right, double bottom, std::string_view style);
     void line(double x1, double y1, double x2, double y2, std::string_view style);
-    /// `anchor`: start, middle or end. `style` may be empty.
+    /// Adds a word. `anchor`: start, middle or end. `style` may be empty.
     void word(double x, double y, std::string_view anchor, std::string_view word, std::string_view style = {});
-    /// An open line through "x,y x,y ..".
+    /// Adds an open line through "x,y x,y ..".
     void polyline(std::string_view points, std::string_view style);
-    /// Any outline, in the commands of an SVG path.
+    /// Adds any outline, in the commands of an SVG path.
     void path(std::string_view commands, std::string_view style);
 
-    /// The whole element.
+    /// Complete element.
     std::string element() const { return text_ + "</svg>\n"; }
 
-    /// A coordinate as shapes write it: one decimal.
+    /// Coordinate as shapes write it: one decimal.
     static std::string coordinate(double value) { return rounded(value, 1); }
-    /// "x,y"
+    /// Point as "x,y".
     static std::string point(double x, double y) { return coordinate(x) + "," + coordinate(y); }
 
   private:

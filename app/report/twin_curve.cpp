@@ -16,17 +16,17 @@ constexpr double kWidth = 640, kHeight = 130;
 constexpr double kLeft = 48, kRight = 8, kTop = 22, kBottom = 24;
 constexpr double kInch = 25.4; // mm
 
-/// A unit in one of the two systems that the page shows.
+/// Unit in one of the two systems that the page shows.
 struct Shown {
     std::string_view unit;
-    double per = 1; ///< of it in one of the curve's unit
+    double per = 1; ///< count of it in one of the curve's unit
 };
 
 Shown metric(std::string_view unit) {
     return {unit == "mm2" ? std::string_view("mm²") : unit, 1};
 }
 
-/// The same as the metric one where inches do not concern it.
+/// Inch unit; the metric one for a unit that has no inches.
 Shown inches(std::string_view unit) {
     if (unit == "mm") return {"in", 1 / kInch};
     if (unit == "mm2") return {"in²", 1 / (kInch * kInch)};
@@ -43,7 +43,7 @@ CurveSheet sheetOfBoth(const Curve& first, const Curve& second) {
         for (const double value : curve->values)
             values.take(value);
     }
-    // One that wanders far off is shown at the edge, so that the band stays readable.
+    // A value far off is shown at the edge, so that the band stays readable.
     sheet.values = shownRange(values, first.band);
     return sheet;
 }
@@ -57,7 +57,7 @@ void drawBand(SvgText& svg, const CurveSheet& sheet, const CurveBand& band) {
     svg.line(sheet.left, sheet.y(band.ideal), sheet.right, sheet.y(band.ideal), "ideal");
 }
 
-/// Round numbers of one system; `draw` gets the number in the curve's unit and as text.
+/// Draws round numbers of one system; `draw` gets the number in the curve's unit and as text.
 template <class Draw>
 void drawTicks(const CurveRange& range, int about, double per, const Draw& draw) {
     const CurveTicks ticks = curveTicks({range.from * per, range.to * per}, about);
@@ -67,7 +67,7 @@ void drawTicks(const CurveRange& range, int about, double per, const Draw& draw)
     }
 }
 
-/// Numbers, title and axes in one system, whose name is the style that shows and hides it.
+/// Draws numbers, title and axes in one system, whose name is the style that shows and hides it.
 void drawSystem(SvgText& svg, const CurveSheet& sheet, const Curve& curve, std::string_view system) {
     const bool mm = system == "mm";
     const Shown value = mm ? metric(curve.unit) : inches(curve.unit), place = mm ? metric("mm") : inches("mm");
@@ -84,7 +84,7 @@ void drawSystem(SvgText& svg, const CurveSheet& sheet, const Curve& curve, std::
              system);
 }
 
-/// One polyline for each stretch of known values; a single point is a short line, so that it is seen.
+/// Draws one polyline for each stretch of known values; a single point is a short line, so that it is visible.
 void drawLines(SvgText& svg, const CurveSheet& sheet, const Curve& curve, std::string_view style) {
     std::string points;
     const auto finish = [&] {

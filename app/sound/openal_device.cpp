@@ -23,7 +23,7 @@ using AlsaMessage = void (*)(const char* file, int line, const char* function, i
 
 void ignoreMessage(const char*, int, const char*, int, const char*, ...) {}
 
-/// Where there is no sound card the kernel's sound library prints a page about it.
+/// Silences ALSA, which prints a page of errors if there is no sound card.
 void quietAlsa() {
     void* library = dlopen("libasound.so.2", RTLD_LAZY);
     if (library == nullptr) return;
@@ -34,7 +34,7 @@ void quietAlsa() {
 void quietAlsa() {}
 #endif
 
-/// A function of an extension of the library.
+/// Function of an extension of the library.
 template <class Function>
 Function extension(ALCdevice* device, const char* name) {
     return reinterpret_cast<Function>(alcGetProcAddress(device, name));
@@ -127,7 +127,7 @@ void OpenAlDevice::volume(float factor) {
 size_t OpenAlDevice::room() {
     ALint state = AL_INITIAL;
     alGetSourcei(source_, AL_SOURCE_STATE, &state);
-    if (state == AL_STOPPED) { // the queue ran empty: it is filled anew before it plays again
+    if (state == AL_STOPPED) { // underrun: the queue is filled again before it plays
         alSourceRewind(source_);
         alSourcei(source_, AL_BUFFER, 0);
         queued_ = 0;

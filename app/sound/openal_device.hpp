@@ -11,45 +11,45 @@
 
 namespace meltpool {
 
-/// The listener stands at the origin and looks along -z, y is up. One thread at a time may use a device, except
-/// place() and volume(), which any may.
+/// Sound device. The listener is at the origin and looks along -z, y is up. One thread at a time may use a device,
+/// except place() and volume(), which any may.
 class OpenAlDevice {
   public:
-    static constexpr int kRate = 48000;               ///< samples a second
-    static constexpr size_t kBlock = kRate / 100;     ///< samples that are queued at once: 10 ms
-    static constexpr size_t kBlocks = 4;              ///< in the queue: one that plays, and what a late thread may miss
-    static constexpr float kReferenceDistance = 0.5F; ///< m; nearer it is no louder, farther off it fades as 1/r
+    static constexpr int kRate = 48000;               ///< samples per second
+    static constexpr size_t kBlock = kRate / 100;     ///< samples queued at once: 10 ms
+    static constexpr size_t kBlocks = 4;              ///< in the queue: one that plays, and a reserve for a late thread
+    static constexpr float kReferenceDistance = 0.5F; ///< m; closer the volume is constant, farther off it falls as 1/r
 
-    /// Keeps the library from writing to standard error; sets its variable ALSOFT_LOGLEVEL where it is not set, so it
-    /// is for the program's beginning, before other threads.
+    /// Stops the library from writing to standard error; sets its variable ALSOFT_LOGLEVEL unless it is set. Call it at
+    /// the program's beginning, before other threads start.
     static void quietLibrary();
 
-    /// The device that the system plays on. Throws RuntimeFault with a sentence where there is none. May take long:
+    /// Opens the device that the system plays on. Throws RuntimeFault with a sentence if there is none. May take long:
     /// sound servers are asked.
     static std::unique_ptr<OpenAlDevice> openDefault();
-    /// No device: render() gives what one would play. Throws RuntimeFault where the library cannot.
+    /// Opens no device: render() returns the samples that one would play. Throws RuntimeFault if the library cannot.
     static std::unique_ptr<OpenAlDevice> openLoopback();
     ~OpenAlDevice();
     OpenAlDevice(const OpenAlDevice&) = delete;
     OpenAlDevice& operator=(const OpenAlDevice&) = delete;
 
-    /// "Built-in Audio".
+    /// Name of the device: "Built-in Audio".
     const std::string& name() const { return name_; }
-    /// Both ears get what a head would let them hear.
+    /// True if the sound at both ears is filtered as by a head.
     bool hasHeadModel() const { return headModel_; }
 
     void place(const glm::vec3& metres);
     void volume(float factor);
 
-    /// Blocks that the queue takes now. A queue that ran empty takes all of them before it plays again.
+    /// Count of blocks that the queue takes now. After an underrun it takes all of them before it plays again.
     size_t room();
     /// Queues kBlock samples of one channel, and plays.
     void queue(std::span<const std::int16_t> samples);
-    /// Of a loopback device: the next frames of what is heard, left and right in turn.
+    /// Renders a loopback device's next frames, left and right in turn.
     void render(std::span<std::int16_t> leftAndRight);
 
   private:
-    struct Handles; ///< of the library, whose headers are not for everybody
+    struct Handles; ///< handles of the library, whose headers only the implementation includes
 
     explicit OpenAlDevice(std::unique_ptr<Handles> handles);
     void open(const int* attributes);

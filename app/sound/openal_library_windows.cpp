@@ -1,5 +1,5 @@
-// Windows has no OpenAL of its own: its functions are taken from OpenAL32.dll or soft_oal.dll, beside the program or
-// installed, when the first is called. Without either there is no device.
+// OpenAL for Windows, which has none of its own: its functions are taken from OpenAL32.dll or soft_oal.dll, in the
+// program's folder or installed, when the first is called. Without either there is no device.
 #include <AL/al.h>
 #include <AL/alc.h>
 
@@ -15,7 +15,7 @@ HMODULE library() {
     return loaded;
 }
 
-/// Calls the library's function; answers nothing (0) where there is no library.
+/// Calls the library's function; returns 0 without a library.
 template <class Answer, class... Values>
 Answer call(const char* name, Values... values) {
     using Function = Answer (*)(Values...);

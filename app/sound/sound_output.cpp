@@ -16,7 +16,7 @@ namespace meltpool {
 
 namespace {
 
-constexpr std::chrono::milliseconds kLook(4); // between two looks at the queue, whose blocks last 10 ms
+constexpr std::chrono::milliseconds kLook(4); // between two checks of the queue, whose blocks last 10 ms
 
 } // namespace
 

@@ -1,5 +1,5 @@
-// Plays a lesson on the system's sound device, on a thread of its own. Without a device nothing is heard, and nothing
-// else changes.
+// The sound of a lesson on the system's device, on a thread of its own. Without a device it is silent, and nothing else
+// changes.
 #pragma once
 
 #include "core/training/feedback/sound/ear.hpp"
@@ -14,26 +14,26 @@ namespace meltpool {
 
 class SoundOutput {
   public:
-    /// m from the head at which the desk's picture sounds, as far as a welder's head is from the arc.
+    /// m from the head to the sound of the desk's picture: a welder's distance from the arc.
     static constexpr float kDeskDistance = 0.45F;
 
-    /// Starts the thread, which opens the device; nothing here waits for that. `feed` must outlive this.
+    /// Starts the thread, which opens the device without blocking the caller. `feed` must outlive this.
     explicit SoundOutput(SoundFeed& feed);
     ~SoundOutput();
     SoundOutput(const SoundOutput&) = delete;
     SoundOutput& operator=(const SoundOutput&) = delete;
 
-    /// From now on the sound comes from this place, m in the directions of the listener's head (x right, y up, z
-    /// backwards), with this volume, 0..1. Never waits.
+    /// Moves the sound to this place, m in the directions of the listener's head (x right, y up, z backwards), with
+    /// this volume, 0..1. Never waits.
     void update(float volume, const glm::vec3& place);
 
-    /// Whether there is a device is known.
+    /// True once the search for a device has ended.
     bool known() const { return state_.load(std::memory_order_acquire) != State::opening; }
     bool plays() const { return state_.load(std::memory_order_acquire) == State::plays; }
-    /// What plays, or why nothing does; from known() on.
+    /// Sentence about the device that plays, or the reason why none does; from known() on.
     std::string sentence() const;
 
-    /// The place of something seen at `eye` (from the eye, its directions) that the desk's picture sounds from.
+    /// Place of the sound for something seen at `eye` (from the eye, in its directions) on the desk's picture.
     static glm::vec3 atDesk(const glm::vec3& eye);
 
   private:
@@ -46,7 +46,7 @@ class SoundOutput {
     std::atomic<State> state_{State::opening};
     std::atomic<bool> ends_{false};
     std::atomic<float> volume_{0}, x_{0}, y_{0}, z_{-1};
-    std::string device_, fault_; ///< from known() on: what plays, or why nothing does
+    std::string device_, fault_; ///< from known() on: the playing device, or the reason why none plays
     bool headModel_ = false;
     std::thread thread_; ///< last: it uses the others
 };

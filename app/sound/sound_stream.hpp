@@ -1,4 +1,4 @@
-// Turns the steps of a lesson into blocks of samples for a device, whether the metal keeps up with the clock or not.
+// The conversion of a lesson's steps into blocks of samples for a device, at any speed of the metal.
 #pragma once
 
 #include "core/training/feedback/sound/ear.hpp"
@@ -9,20 +9,20 @@
 
 namespace meltpool {
 
-/// Steps come in frames, so they wait a little before they are played. Where none has come the last one lasts on, its
-/// short circuits left out; after kHeld the lesson stands still and is silent. Steps that have piled up are left out.
-/// Allocates nothing.
+/// Stream of samples. Steps come in frames, so they wait a little before they are played. On underrun the last step is
+/// held without its short circuits; after kHeld the lesson counts as stopped and is silent. Steps beyond kMost are
+/// dropped. Allocates nothing.
 class SoundStream {
   public:
-    static constexpr double kHeld = 0.25;  ///< s that the last step lasts on
+    static constexpr double kHeld = 0.25;  ///< s for which the last step is held
     static constexpr double kMost = 0.15;  ///< s of steps that may wait
-    static constexpr double kLeft = 0.04;  ///< s of them that are kept where more have piled up
-    static constexpr double kFill = 0.005; ///< s that are made at once where no step has come
+    static constexpr double kLeft = 0.04;  ///< s of steps left after dropping
+    static constexpr double kFill = 0.005; ///< s made at once on underrun
 
     explicit SoundStream(SoundFeed& feed) : feed_(feed) {}
     /// Fills `out` with the next samples of one channel.
     void fill(std::span<std::int16_t> out);
-    /// Samples that were made without a step of the lesson, since the start.
+    /// Count of samples made on underrun since the start.
     std::uint64_t withoutStep() const { return withoutStep_; }
     const SoundState& state() const { return sound_.state(); }
 
