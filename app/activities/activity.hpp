@@ -27,7 +27,7 @@ struct Allowed {
 
 /// Consequence of the request for another attempt.
 enum class NextAttempt {
-    none,       ///< it has to wait
+    none,       ///< the attempt has to wait
     sameMetal,  ///< the metal is reset to its start
     freshMetal, ///< the metal is made from the start values
 };

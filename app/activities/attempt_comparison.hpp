@@ -23,7 +23,7 @@ struct ComparedAttempt {
     std::uintmax_t bytes = 0; ///< size of the file, so that one that grew is welded again
     Judgement judgement;
     AttemptFigures figures;
-    ReplayEnd end; ///< comparison with the recording's last bits
+    ReplayEnd end; ///< comparison with the recording's bits
 };
 
 /// Comparison of two attempts. It runs on the list of attempts, outside a lesson, and makes the metal of both itself.

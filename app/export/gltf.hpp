@@ -5,9 +5,9 @@
 
 namespace meltpool {
 
-/// Both hold one mesh with POSITION in m and y upwards, as glTF demands, NORMAL, COLOR_0 in linear colours of 16 bits,
-/// and indices of 32 bits, with a dull material that leaves the colours unchanged. Lesson, date, program and axes are
-/// in asset.extras.
+/// Contents of both formats: one mesh with POSITION in m and y upwards, as glTF demands, NORMAL, COLOR_0 in linear
+/// colours of 16 bits, and indices of 32 bits, with a dull material that leaves the colours unchanged. Lesson, date,
+/// program and axes are in asset.extras.
 
 /// Bytes of a binary file, .glb.
 std::string glbOf(const ColouredMesh& coloured);

@@ -7,10 +7,10 @@ namespace meltpool {
 
 namespace {
 
-constexpr double kAir = 1.1;         ///< of the band, for air around it
+constexpr double kAir = 1.1;         ///< factor on the band, for air around it
 constexpr double kFarthest = 3;      ///< outer half widths that are shown
-constexpr double kFlat = 1e-3;       ///< of its size, within which a curve counts as flat
-constexpr double kAround = 0.05;     ///< of its size, shown above and below a flat one
+constexpr double kFlat = 1e-3;       ///< share of its size within which a curve counts as flat
+constexpr double kAround = 0.05;     ///< share of its size shown above and below a flat one
 constexpr double kLeastWidth = 1e-6; ///< least band, in its unit
 
 } // namespace

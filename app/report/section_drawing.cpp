@@ -15,7 +15,7 @@ constexpr double kLargest = 16;  ///< units per millimetre
 constexpr double kPicture = 200; ///< units of the width; the rest is for words
 constexpr double kEdge = 8;      ///< units free around it
 constexpr double kPlate = 4;     ///< mm of plate if its thickness is not known
-constexpr double kBeside = 0.3;  ///< of the weld's width: plate on each side of it
+constexpr double kBeside = 0.3;  ///< share of the weld's width: plate on each side of it
 constexpr double kRow = 12;      ///< units from word to word
 
 double plateOf(const SectionSizes& sizes) {

@@ -26,7 +26,7 @@ struct HeadsetStatus {
     std::string state = "off"; ///< "searching", "asleep", "running", "stalled", "ended"
     std::string mode; ///< state of the session: "waiting", "synchronized", "visible", "focused"; empty: there is none
     std::string warning;
-    std::string notice;    ///< text before the person's eyes, several lines
+    std::string notice;    ///< notices before the person's eyes, one per line
     std::string tipReport; ///< request or result of measuring the torch's tip
     bool mirrored = false; ///< the window shows the trainee's eye
     int openings = 0;
