@@ -75,9 +75,8 @@ class AttemptCues {
     CueSet on_;                      ///< cues of wanted_ that have not faded away
     CueSet used_;
     CueSkill skill_;
-    CueSkill before_; ///< skill before this attempt
-    std::optional<CuePose>
-        pose_; ///< pose that follows the torch a little late, so that a trembling hand does not blur the cues
+    CueSkill before_;             ///< skill before this attempt
+    std::optional<CuePose> pose_; ///< pose that follows the torch a little late, see followedPose()
     CueShapes shapes_;
 };
 

@@ -75,7 +75,7 @@ class AttemptGhost {
     const GhostWords& words() const { return words_; }
     /// Name of the ghost that was on while the arc burned in this attempt; empty: none was.
     std::string_view used() const { return used_ == GhostChoice::none ? std::string_view() : ghostName(used_); }
-    /// Sentence about the reason why the chosen ghost is missing; empty once it has been shown for a while.
+    /// Sentence that says why the chosen ghost is missing; empty once it has been shown for a while.
     std::string_view fault() const { return untold_ > 0 ? std::string_view(fault_) : std::string_view(); }
 
     /// Markers of the last step's ghost for this eye, in the scene's world; valid until the next call. `zoom`: scale at

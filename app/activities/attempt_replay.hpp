@@ -66,7 +66,7 @@ class AttemptReplay final : public Activity {
     size_t moments() const { return moments_ ? moments_->count() : 0; }
     /// Count of the recording's checkpoints.
     size_t recordedMoments() const { return recorded_.moments ? recorded_.moments->count() : 0; }
-    /// Sentence about the reason why the recording's checkpoints are not used; empty if it has none or they are.
+    /// Sentence that says why the recording's checkpoints are not used; empty if it has none or they are.
     const std::string& momentsRefused() const { return recorded_.refused; }
 
   private:

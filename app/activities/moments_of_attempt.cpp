@@ -11,7 +11,7 @@ namespace meltpool {
 
 namespace {
 
-/// Sentence about the reason why checkpoints of another machine are not used; empty if they were made on this one.
+/// Sentence that says why checkpoints of another machine are not used; empty if they were made on this one.
 std::string refusalOf(const RecordedAttempt& attempt, const Lesson& lesson, const ReplayMachine& machine) {
     if (attempt.head.driver != machine.driver)
         return phrase("attempt.moments.other_driver", {{"driver", attempt.head.driver}});

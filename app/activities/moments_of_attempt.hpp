@@ -12,7 +12,7 @@ namespace meltpool {
 
 struct MomentsOfAttempt {
     std::unique_ptr<RecordedMoments> moments; ///< null: there are none, or none to use
-    std::string refused; ///< sentence about the reason why existing checkpoints must not be used; else empty
+    std::string refused; ///< sentence that says why existing checkpoints must not be used; else empty
 };
 
 /// Checkpoints of the attempt whose torch takeTorch() set in the lesson. One made by another program or driver, or in

@@ -37,7 +37,7 @@ class Redo {
 
     /// Count of times this attempt went back: it is practice from the first time on, and its score does not count.
     size_t redone() const { return redone_; }
-    /// Sentence about the reason why there is no way back; empty while there is one.
+    /// Sentence that says why there is no way back; empty while there is one.
     std::string fault() { return moments_.fault(); }
     /// Memory of the checkpoints, bytes.
     size_t bytes() { return moments_.bytes(); }

@@ -5,9 +5,9 @@
 
 namespace meltpool {
 
-/// Sets the steps by their own time, apart from the picture's. If the driver runs commands synchronously, that is the
-/// time of issuing them; a card queues commands long before it finishes them, so there it is the frame's time beyond
-/// one without steps.
+/// Pace of a seek: the count of steps follows their own time, apart from the picture's. If the driver runs commands
+/// synchronously, that is the time of issuing them; a card queues commands long before it finishes them, so there it is
+/// the frame's time beyond one without steps.
 class SeekPace {
   public:
     static constexpr double kLongestPicture = 0.5; ///< s; a longer frame without steps was held up by something else

@@ -12,9 +12,8 @@ namespace meltpool {
 /// simulates more slowly instead of making ever longer frames; see speed().
 class StepClock {
   public:
-    static constexpr double kBusy = 0.08; ///< s that a frame may spend on steps
-    static constexpr double kBeside =
-        0.045; ///< s of steps in parallel with a picture, or as long as that takes if it is longer
+    static constexpr double kBusy = 0.08;      ///< s that a frame may spend on steps
+    static constexpr double kBeside = 0.045;   ///< s of steps in parallel with a picture, or its time if longer
     static constexpr double kLongest = 0.25;   ///< s of real time that a frame may catch up on
     static constexpr double kLongestGap = 0.1; ///< s of the metal's time between two samples of the hand at most
     static constexpr int kFewest = 1;          ///< least count of steps in a frame, however slow they are

@@ -112,7 +112,7 @@ BenchRow measureLesson(Bench& bench, const Lesson& lesson, const LessonMeasureme
     return row;
 }
 
-/// At low detail, with which a window starts if the driver draws in software. `bench looks` measures the others.
+/// Measures at low detail, with which a window starts if the driver draws in software; `bench looks` has the others.
 void benchLesson(Bench& bench) {
     Lesson lesson = findLesson("gmaw-bead", resourceFolder() / "data" / "lessons");
     lesson.look.detail = kLowDetail;

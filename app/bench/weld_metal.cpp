@@ -20,7 +20,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kWarmUpSeconds = 3; ///< simulated s of welding: by then the pool is about as long as it gets
 constexpr int kMeasuredFrames = 52;  ///< two cycles of finding the fragments
-constexpr int kProfiledFrames = 52;  ///< likewise
+constexpr int kProfiledFrames = 52;  ///< two cycles, too
 
 /// Wall and processor time of each frame, ms. The processor time is that of all this program's threads: with a software
 /// driver the figure that other programs on the machine disturb least.

@@ -1,4 +1,4 @@
-// `meltpool demonstration`: makes an attempt that is worth showing the path of a lesson.
+// `meltpool demonstration`: turns an attempt that is worth showing into the path of a lesson.
 #include "app/commands/attempt_files.hpp"
 #include "app/commands/commands.hpp"
 #include "app/commands/demonstration_lesson.hpp"

@@ -143,8 +143,7 @@ void runLesson(const RunRequest& request) {
     StopSignals signals;
     signals.endAfter(kPatience, {});
     Lesson lesson = requestedLesson(request);
-    lesson.ghost =
-        lesson.ghost || !request.ghost.empty(); // a headless run is no practice, so a ghost is always allowed
+    lesson.ghost = lesson.ghost || !request.ghost.empty(); // a headless run is no practice
     RunHooks hooks;
     hooks.ghost = requestedGhost(request, lesson);
     hooks.film = requestedFilm(request);

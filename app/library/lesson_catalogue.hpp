@@ -16,7 +16,7 @@ struct CataloguedLesson {
     bool taken = false;            ///< another lesson has this key: this one cannot be used until it is renamed
     std::string title;             ///< the key if the file is faulty
     std::string text;              ///< task for the trainee
-    std::string fault;             ///< sentence about the reason why the lesson cannot be used; empty: it can
+    std::string fault;             ///< sentence that says why the lesson cannot be used; empty: it can
     std::string next;              ///< key of the next lesson; empty: none
     int level = 0;                 ///< see Lesson::level
     std::filesystem::path picture; ///< need not exist

@@ -70,8 +70,7 @@ class RecordingKeeper {
     std::filesystem::path folder_;
     std::string program_, driver_;
     std::filesystem::path newest_;
-    std::vector<std::filesystem::path>
-        made_; ///< recordings made in this run of the program: the limit never removes these
+    std::vector<std::filesystem::path> made_; ///< recordings of this run, which the limit never removes
     std::shared_ptr<RecordingWriter> current_;
     std::vector<Closing> closing_;
     bool told_ = false; ///< true: the fault of current_ was reported

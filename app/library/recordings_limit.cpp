@@ -95,8 +95,7 @@ fs::path recordingName(const fs::path& folder, const std::string& date, const st
     name += "_" + std::to_string(attempt);
     std::error_code failure;
     fs::path file = folder / (name + std::string(kRecordingEnding));
-    for (int number = 2; fs::exists(fs::symlink_status(file, failure));
-         ++number) // two programs may start in one second
+    for (int number = 2; fs::exists(fs::symlink_status(file, failure)); ++number) // two programs in one second
         file = folder / (name + "-" + std::to_string(number) + std::string(kRecordingEnding));
     return file;
 }

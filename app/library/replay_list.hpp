@@ -28,7 +28,7 @@ class ReplayList {
 
     /// Entries, newest first.
     const std::vector<ReplayEntry>& entries() const { return entries_; }
-    /// Sentence about the reason why entries are missing; empty if all are there.
+    /// Sentence that says why entries are missing; empty if all are there.
     const std::string& fault() const { return fault_; }
 
     void choose(size_t index) { chosen_ = entries_[index].file; }

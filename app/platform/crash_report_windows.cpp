@@ -24,10 +24,9 @@ namespace meltpool {
 namespace {
 
 constexpr int kMostCalls = 48;
-constexpr ULONG kStackForReport = 64 << 10; ///< bytes, reserved for the report of a stack overflow
-constexpr wchar_t kDumpWord[] =
-    L"--write-minidump";             ///< first word of a process that writes a minidump, and of no other
-constexpr DWORD kAbort = 0xE0000A0B; ///< code for abort() and C++ exceptions in a report
+constexpr ULONG kStackForReport = 64 << 10;          ///< bytes, reserved for the report of a stack overflow
+constexpr wchar_t kDumpWord[] = L"--write-minidump"; ///< first word of a process that writes one, and of no other
+constexpr DWORD kAbort = 0xE0000A0B;                 ///< code for abort() and C++ exceptions in a report
 
 std::wstring reportFolder;
 std::string reportVersion;

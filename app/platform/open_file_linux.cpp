@@ -27,8 +27,7 @@ bool openForPerson(const std::filesystem::path& file) {
     const std::filesystem::path program = findProgram("xdg-open");
     if (program.empty()) return false;
     std::error_code failed;
-    std::string whole =
-        std::filesystem::absolute(file, failed).string(); // an absolute path, which cannot begin with '-'
+    std::string whole = std::filesystem::absolute(file, failed).string(); // cannot begin with '-'
     std::string name = "xdg-open";
     char* const words[] = {name.data(), whole.data(), nullptr};
     posix_spawn_file_actions_t quiet;

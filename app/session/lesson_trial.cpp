@@ -1,4 +1,4 @@
-// The part of LessonSession that measures, before an attempt for score, if the machine keeps up.
+// The part of LessonSession that measures the machine's speed before an attempt for score.
 #include "app/session/lesson_session.hpp"
 #include "core/base/error.hpp"
 #include "core/base/words.hpp"
