@@ -1,5 +1,5 @@
-// The measurement, before an attempt for score, of this machine's speed: does it keep the metal at the person's time,
-// and with which other values would it?
+// The measurement of this machine's speed before an attempt for score, and of cheaper values that keep the metal at the
+// person's time.
 #pragma once
 
 #include "app/activities/activity.hpp"

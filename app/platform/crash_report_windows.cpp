@@ -107,7 +107,7 @@ HANDLE makeFile(const std::wstring& stem, const wchar_t* extension) {
 /// would stop threads of which one may hold a lock that the writing needs. False: there is none, and no part of one
 /// either.
 bool writeDump(const std::wstring& stem, EXCEPTION_POINTERS* what) {
-    constexpr DWORD kPatience = 30000; // ms; under Wine it takes 8 to 11 s on two cores, longer where others use them
+    constexpr DWORD kPatience = 30000; // ms; Wine takes longest, about 10 s on an idle machine
     constexpr DWORD kFarewell = 2000;  // ms, until the file that it holds can be removed
     static std::array<wchar_t, 1024> own{};
     static std::array<wchar_t, 4096> command{};

@@ -58,7 +58,7 @@ class DeskTorch {
     TorchSample next(int step, int due, double seconds, float burntOff, float trigger);
 
     const DeskPose& pose() const { return wanted_; }
-    /// Kind of DeskPose::distance, and whether a rod is held.
+    /// Kind of DeskPose::distance, and true if a rod is held.
     DistanceKind distanceKind() const { return kind_; }
     bool hasRod() const { return rod_; }
     /// True if the guide has led the torch since begin().
@@ -78,7 +78,7 @@ class DeskTorch {
     double stickOut_ = 0; ///< m, see heldBehind()
     bool rod_ = false;
     double guide_ = 0;  ///< m/s
-    double tremor_ = 0; ///< share of a practised hand's tremor
+    double tremor_ = 0; ///< multiple of a practised hand's tremor
     double time_ = 0;   ///< s of the metal since begin()
     HandTremor hand_{1};
     bool guided_ = false;

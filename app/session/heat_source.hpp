@@ -17,7 +17,7 @@ struct ControlParameters {
     bool invertLook = false;       ///< true: pulling the mouse looks up
     float torchMouse = 8;          ///< mm of a welding torch for 100 points of mouse travel
     float guideSpeed = 0;          ///< mm/s at which a welding torch travels along the seam by itself while it welds
-    float tremor = 0;              ///< tremor of the hand with a welding torch, as a share of a practised one's
+    float tremor = 0;              ///< tremor of the hand with a welding torch, as a multiple of a practised one's
     float gamepadSpeed = 15;       ///< mm/s of a welding torch with a gamepad's stick pushed all the way
 };
 ParameterList describe(ControlParameters& parameters);

@@ -16,7 +16,7 @@ namespace meltpool {
 
 class Home {
   public:
-    /// `scores`: the file of best scores. Throws InputError where the shipped lessons cannot be read.
+    /// Reads the lessons. `scores`: the file of best scores. Throws InputError when the shipped lessons cannot be read.
     Home(LessonFolders lessons, const std::filesystem::path& scores);
 
     bool open = false; ///< true: the page is shown instead of a lesson
