@@ -1,4 +1,4 @@
-// The metal's steps on a thread of their own, made while the window's thread draws the frame's picture.
+// Makes the metal's steps on their own thread while the window's thread draws the frame's picture.
 #pragma once
 
 #include "app/desktop/step_thread.hpp"
@@ -10,37 +10,38 @@
 
 namespace meltpool {
 
-/// Steps made on another thread beside a picture, s.
+/// Times of steps made on another thread while a picture is drawn, s.
 struct StepsBeside {
-    double seconds = 0; ///< from their begin until picture and steps were done
-    double waited = 0;  ///< of that, after the picture
+    double seconds = 0; ///< time from the steps' begin to the end of picture and steps
+    double waited = 0;  ///< share of `seconds` spent waiting after the picture
 };
 
-/// A frame calls postpone() where it has steps for the thread, begin() before it draws and finish() after.
+/// Runs the steps of a frame: postpone() if the frame has steps for the thread, begin() before it draws, finish()
+/// after.
 class BackgroundSteps {
   public:
-    /// There is a thread only where the processor draws: a card works beside the processor anyway. `shaders`: the
-    /// folder of its shaders.
+    /// Makes a thread only if the processor draws: a card runs in parallel with the processor anyway. `shaders`: the
+    /// folder of the thread's shaders.
     explicit BackgroundSteps(const std::filesystem::path& shaders);
 
-    /// Null: there is none.
+    /// Returns null without a thread.
     StepThread* thread() { return thread_.get(); }
     bool possible() const { return thread_ != nullptr; }
 
-    /// Time that steps may take beside a picture, s: the last frame's without its waiting for steps.
+    /// Time that steps may take while a picture is drawn, s: the last frame's time less its waiting for steps.
     double timeBeside(double lastFrameSeconds) const;
-    /// This frame's steps wait for its picture. Only where a thread is possible().
+    /// Makes this frame's steps wait for its picture. Call only if a thread is possible().
     void postpone() { due_ = true; }
-    /// Steps are postponed and not yet finished.
+    /// Returns true while steps are postponed and unfinished.
     bool due() const { return due_; }
-    /// Begins the postponed steps, which `work` makes on the thread; no-op where none are due.
+    /// Begins the postponed steps, which `work` makes on the thread; no-op if none are due.
     void begin(std::function<void()> work);
-    /// Waits until the steps are made; throws what `work` threw. False where none were due.
+    /// Waits for the end of the steps; throws the exception of `work`. Returns false if none were due.
     bool finish();
-    /// Waits for steps under way when the program ends; their fault goes to standard error.
+    /// Waits for running steps when the program ends; prints their fault to standard error.
     void abandon();
 
-    /// The steps of the last frame; empty: none were made beside its picture.
+    /// Times of the last frame's steps; empty if none ran while its picture was drawn.
     const std::optional<StepsBeside>& ofLastFrame() const { return ofLastFrame_; }
 
   private:

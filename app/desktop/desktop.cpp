@@ -12,7 +12,8 @@ namespace meltpool {
 
 int runDesktop(const DesktopOptions& options) {
     const StopSignals signals;
-    // Steps and picture have a thread each; both eyes' pictures are wide.
+    // Steps and picture have a thread each, so the driver needs none of its own. The wide pictures of a headset need
+    // them.
     if (options.headset != HeadsetUse::wanted) gl::runDriverSingleThreaded();
     DesktopApp app(options);
     surviveLostDisplay();

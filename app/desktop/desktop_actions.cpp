@@ -127,14 +127,14 @@ void DesktopApp::hidePanels() {
     menus_.panels.hidden = session_.running() && !menus_.panels.hidden;
 }
 
-/// As at the start of a lesson.
+/// Shows all panels and resets the timings, for a lesson's start.
 void DesktopApp::showAll() {
     menus_.panels.hidden = false;
     profiler_.reset();
 }
 
-/// A large picture takes seconds where the processor draws. An attempt whose arc burns would lose what the hand did in
-/// them.
+/// Returns true if the frame may pause for seconds. A large picture takes that long if the processor draws. An attempt
+/// with a burning arc would lose the hand's movement in that time.
 bool DesktopApp::mayStandStill() const {
     if (!session_.running() || headset_.inFrame()) return false;
     return !window_.driver().software || !session_.welds();

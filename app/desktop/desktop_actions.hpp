@@ -11,16 +11,16 @@ namespace meltpool {
 
 class DesktopApp;
 
-/// Only keys ask `allowed`: a menu decides itself where it shows a button.
+/// Describes one action of the window. Only keys ask `allowed`: a menu decides itself when it shows a button.
 struct DesktopAction {
     const char* name;
-    MenuRequest request;    ///< by which menus and headset ask for it; none: they do not
-    std::optional<Key> key; ///< empty: no key of its own
+    MenuRequest request;    ///< request by which menus and headset ask for the action; none: they do not
+    std::optional<Key> key; ///< key of the action; empty: none
     bool (*allowed)(const DesktopApp& app);
     void (*run)(DesktopApp& app);
 };
 
-/// Each name, key and request is that of one action.
+/// Returns the table of actions. No two actions share a name, a key or a request.
 std::span<const DesktopAction> desktopActions();
 
 } // namespace meltpool

@@ -17,8 +17,8 @@ namespace meltpool {
 
 namespace {
 
-/// s that a window sleeps between looks at its input where nothing moves: minimised, on a page before the lesson, or in
-/// a lesson whose picture stands.
+/// Sleep between two looks at the input if nothing moves, s: window minimised, a page before the lesson, or a lesson
+/// with a still picture.
 constexpr double kRest = 0.1;
 std::string driverText(const gl::ContextInfo& info) {
     return info.software ? phrase("desk.on_processor", {{"driver", info.renderer}}) : info.renderer;
@@ -68,12 +68,13 @@ DesktopApp::DesktopApp(const DesktopOptions& options)
     clock_.restart();
 }
 
-/// A fault of a picture may have left steps under way, of the session that ends now.
+/// Abandons steps of the ending session, which a fault in a picture may have left running.
 DesktopApp::~DesktopApp() {
     steps_.abandon();
 }
 
-/// A file that is wrong ends the program before the window shows anything, as far as it is known for which lesson.
+/// Reads the ghost's file early: a wrong file ends the program before the window shows anything, as far as the lesson
+/// is known by then.
 void DesktopApp::takeGhost() {
     session_.attempt().ghost().findBestBy(
         [](const std::string& lesson) { return bestKept(recordingsFolder(), lesson); });
@@ -86,7 +87,7 @@ void DesktopApp::takeGhost() {
     session_.attempt().ghost().choose(std::filesystem::absolute(options_.ghost));
 }
 
-/// Null: there is no headset.
+/// Returns null without a headset.
 ParameterSection* DesktopApp::headsetSection() {
     return headset_.device() ? &headset_.device()->section() : nullptr;
 }
@@ -129,7 +130,7 @@ void DesktopApp::frame() {
 
 bool DesktopApp::rests() const {
     if (headset_.inFrame()) return false;
-    // A headset that is about to open with its lesson is not kept waiting.
+    // A headset that is about to open with its lesson must not wait.
     const bool before =
         !session_.running() && (home_.open || !headset_.device()) && !session_.activities().current().hurries();
     const bool still = before || picture_.stands();
@@ -177,7 +178,7 @@ void DesktopApp::runFrame() {
     if (!headset_.inFrame()) pacer_.pace(begin);
 }
 
-/// Surface, picture and menus, and beside them, where the processor draws, the metal's steps. The picture is of the
+/// Draws surface, picture and menus. If the processor draws, the metal's steps run in parallel. The picture shows the
 /// metal before these steps.
 void DesktopApp::show() {
     steps_.begin([this] { session_.run().makeSteps(nullptr); });
@@ -189,7 +190,7 @@ void DesktopApp::show() {
 void DesktopApp::beginHeadset(double seconds) {
     const bool putOn = headset_.begin(session_, home_, messages_, seconds, clock_.now());
     if (headset_.device()) window_.waitForDisplay(!headset_.inFrame());
-    // The lesson starts when somebody first puts the headset on.
+    // The lesson starts when a person first puts the headset on.
     if (putOn && !session_.running()) start(&LessonSession::begin);
 }
 
@@ -204,14 +205,14 @@ void DesktopApp::drawHeadset(double seconds) {
 }
 
 void DesktopApp::simulate(const InputFrame& input, double seconds) {
-    if (!session_.running()) { // what was told of the lesson is over
+    if (!session_.running()) { // messages of the lesson have ended
         figures_.caption = {};
         notices_.update(session_, figures_, controls_.triggerLock(), seconds, messages_);
-        session_.advance(controls_, seconds, nullptr); // of a comparison
+        session_.advance(controls_, seconds, nullptr); // step of a comparison
         return;
     }
     controls_.update(input, seconds);
-    // While the mouse is captured it leads the torch, even with a headset in use.
+    // A captured mouse leads the torch, even with a headset in use.
     const TorchSource held = headset_.inFrame() && !controls_.captured() ? headset_.inFrame()->torch() : TorchSource{};
     if (held) controls_.putOut(ArcOut::takenOver);
     const bool beside = stepsBesidePicture();
@@ -225,7 +226,8 @@ void DesktopApp::simulate(const InputFrame& input, double seconds) {
     tellLesson(seconds);
 }
 
-/// Who looks at timings sees each pass alone. The headset's frame ends when its runtime says so.
+/// Returns true if the steps run while the picture is drawn. The timings panel shows each pass alone. The headset's
+/// runtime decides when the headset's frame ends.
 bool DesktopApp::stepsBesidePicture() const {
     const bool timed = menus_.panels.timings && !menus_.panels.hidden;
     return steps_.possible() && !headset_.inFrame() && !timed;
@@ -237,7 +239,7 @@ void DesktopApp::finishSteps(double seconds) {
     tellLesson(seconds);
 }
 
-/// What the newest steps have changed, for menus, messages and headset.
+/// Passes the changes of the newest steps to menus, messages and headset.
 void DesktopApp::tellLesson(double seconds) {
     fillFigures(figures_, session_);
     takeJudgement();
@@ -255,7 +257,7 @@ void DesktopApp::tellLesson(double seconds) {
         messages_.clear("metal");
 }
 
-/// A new judgement is shown, and its score kept where it is the best.
+/// Shows a new judgement and saves its score if it is the best.
 void DesktopApp::takeJudgement() {
     if (session_.attempt().judgements() == judgements_) return;
     judgements_ = session_.attempt().judgements();
@@ -281,7 +283,7 @@ void DesktopApp::preparePicture(double seconds) {
 
 void DesktopApp::drawPicture() {
     if (picture_.prepared()) return detail_.draw([this] { picture_.draw(session_, &profiler_); });
-    if (session_.running()) return; // the headset's mirror is there
+    if (session_.running()) return; // the headset's mirror fills the window
     const glm::ivec2 pixels = window_.pixels();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(0, 0, pixels.x, pixels.y);
@@ -294,7 +296,7 @@ MenuRequest DesktopApp::drawMenus() {
                         driver_, sections_.forViewMenu(headsetSection())});
 }
 
-/// What people bring may be written in letters that no font here has: names of lessons and files above all.
+/// Reports letters that no font here has. They come in names of lessons and files that people bring.
 void DesktopApp::tellMissingLetters() {
     ImFont& font = *interface_.context().fonts.body;
     const auto look = [&](std::string_view text) { missingLetters_.look(font, text); };
@@ -326,7 +328,7 @@ void DesktopApp::writeTelemetry() {
         passes.push_back(pass.name);
     const char* page = home_.open ? "home" : session_.running() ? "running" : "start";
     telemetry_.write({page,
-                      clock_.frame(), // which the metal's time belongs to, however long the frame takes
+                      clock_.frame(), // time that the metal's time belongs to, however long the frame takes
                       pacer_.frames(),
                       session_.run().steps(),
                       session_.running() ? session_.run().torch() : TorchSample{},

@@ -35,8 +35,8 @@ class DesktopApp {
 
     bool closing() const { return window_.closing(); }
     void frame();
-    /// Ends the lesson and writes the settings file. False, and a sentence on standard error, where something that was
-    /// to be kept is lost.
+    /// Ends the lesson and writes the settings file. Returns false, with a sentence on standard error, if something to
+    /// be saved is lost.
     bool finish();
 
   private:
@@ -46,7 +46,7 @@ class DesktopApp {
     ParameterSection* headsetSection();
     void handleKeys(const InputFrame& input);
     friend std::span<const DesktopAction> desktopActions();
-    /// Runs the action that a button asks for, or that has the key and is allowed now; no-op without one.
+    /// Runs the action that a button asks for, or the allowed action of the key; no-op without one.
     void act(MenuRequest request);
     void act(Key key);
     void goHome();
@@ -110,7 +110,7 @@ class DesktopApp {
     ui::MissingLetters missingLetters_;
     ScreenshotTaker screenshots_;
     std::string driver_;
-    size_t judgements_ = 0; ///< that the menus have shown
+    size_t judgements_ = 0; ///< number of judgements that the menus have shown
 };
 
 } // namespace meltpool

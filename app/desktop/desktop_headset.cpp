@@ -6,7 +6,7 @@ namespace meltpool {
 
 namespace {
 
-/// How long a headset that was asked for may take to open, s: far beyond what it takes on a busy machine.
+/// Longest time that a requested headset may take to open, s: far beyond its time on a busy machine.
 constexpr double kHeadsetPatience = 120;
 
 } // namespace

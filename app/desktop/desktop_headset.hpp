@@ -1,4 +1,4 @@
-// The headset beside the window: the frames that it paces, and the first of them.
+// Drives the headset next to the window: the frames that it paces, and the first of them.
 #pragma once
 
 #include "app/desktop/desktop.hpp"
@@ -11,25 +11,25 @@ namespace meltpool {
 
 class DesktopHeadset {
   public:
-    /// Makes the headset unless the options want none. The window's OpenGL context is current; `folder` keeps
+    /// Makes the headset unless the options exclude one. The window's OpenGL context is current; `folder` stores
     /// calibrations.
     void open(const DesktopOptions& options, const std::filesystem::path& folder);
 
-    /// Begins a frame, see WindowHeadset::begin(), and holds the headset's warning among the messages. True in the
-    /// first frame of somebody who puts the headset on. `now` is s on the program's clock. Throws InputError where a
-    /// headset that was wanted does not come.
+    /// Begins a frame, see WindowHeadset::begin(), and holds the headset's warning among the messages. Returns true in
+    /// the first frame after a person puts the headset on. `now` is s on the program's clock. Throws InputError if a
+    /// requested headset does not come.
     bool begin(LessonSession& session, const Home& home, Messages& messages, double seconds, double now);
 
-    /// Null: there is no headset.
+    /// Returns null without a headset.
     WindowHeadset* device() const { return headset_.get(); }
-    /// The headset that paces this frame; null: the window does.
+    /// Returns the headset that paces this frame, or null if the window paces it.
     WindowHeadset* inFrame() const { return frame_ ? headset_.get() : nullptr; }
 
   private:
     std::unique_ptr<WindowHeadset> headset_;
-    bool wanted_ = false;  ///< without one the program ends
+    bool wanted_ = false;  ///< the program ends without a headset
     bool frame_ = false;   ///< the headset paces this frame
-    bool started_ = false; ///< it has had frames before
+    bool started_ = false; ///< the headset has had frames before
 };
 
 } // namespace meltpool

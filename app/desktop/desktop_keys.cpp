@@ -1,11 +1,11 @@
-// Keys whose meaning depends on the page that is open; all others are keys of actions, see desktopActions().
+// Handles the keys whose meaning depends on the open page; all others are keys of actions, see desktopActions().
 #include "app/desktop/desktop_app.hpp"
 
 #include <algorithm>
 
 namespace meltpool {
 
-/// Keys of the pages before a lesson runs.
+/// Handles the keys of the pages before a lesson runs.
 void DesktopApp::moveByKeys(const InputFrame& input) {
     if (menus_.panels.help) return;
     if (home_.open && home_.attempts.shown()) {
@@ -20,7 +20,7 @@ void DesktopApp::moveByKeys(const InputFrame& input) {
         if (!home_.open) break;
         home_.move((key == Key::right) - (key == Key::left), (key == Key::down) - (key == Key::up));
     }
-    // Dear ImGui itself takes the key for the control that was chosen by keys.
+    // Dear ImGui itself takes Enter for the control chosen by keys.
     if (std::find(input.struck.begin(), input.struck.end(), Key::enter) == input.struck.end()) return;
     if (home_.open)
         act(MenuRequest::openLesson);
@@ -28,7 +28,7 @@ void DesktopApp::moveByKeys(const InputFrame& input) {
         act(MenuRequest::start);
 }
 
-/// Keys of the demonstration: pause, its time, and Enter for one's own attempt.
+/// Handles the keys of the demonstration: pause, its time, and Enter for one's own attempt.
 void DesktopApp::demonstrateByKeys(const InputFrame& input) {
     if (menus_.panels.help) return;
     Demonstration& demonstration = session_.activities().demonstration;
@@ -42,7 +42,7 @@ void DesktopApp::demonstrateByKeys(const InputFrame& input) {
     }
 }
 
-/// Keys of a kept attempt: pause and its time.
+/// Handles the keys of a saved attempt: pause and its time.
 void DesktopApp::replayByKeys(const InputFrame& input) {
     if (menus_.panels.help) return;
     ReplayTimeline& line = session_.activities().replay.line();

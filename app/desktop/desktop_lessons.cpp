@@ -27,11 +27,11 @@ void DesktopLessons::goHome() {
     leave();
     home_.refresh();
     home_.choose(session_.lesson().key);
-    if (home_.attempts.shown()) home_.attempts.show(); // there may be more of them now
+    if (home_.attempts.shown()) home_.attempts.show(); // the list may have grown
     home_.open = true;
 }
 
-/// Its values become those of the settings file; what was set in the lesson before is kept there.
+/// Takes the opened lesson and gives it the values of the settings file; stores the values set in the lesson before.
 void DesktopLessons::take(Lesson opened) {
     leave();
     settings_.takeFrom(session_.lesson(), session_.sections());
@@ -76,7 +76,7 @@ bool DesktopLessons::start(void (LessonSession::*begin)(Controls&), double now) 
     }
 }
 
-/// Tells where the attempt's lesson is no longer the file that it names.
+/// Reports that the file of the attempt's lesson has changed since.
 void DesktopLessons::tellMoved(const Lesson& attempt, double now) {
     if (!attempt.recorded) return;
     if (std::string moved = movedLessonText(*attempt.recorded, attempt); !moved.empty())
@@ -154,7 +154,7 @@ void DesktopLessons::keepScore(double zoom, double now) {
 void DesktopLessons::writePage(const std::string& driver, double now) {
     try {
         const std::filesystem::path page = writeAttemptPage(session_, zoom_, driver);
-        if (session_.leader() == TorchLeader::desk) openForPerson(page); // a browser is of no use in a headset
+        if (session_.leader() == TorchLeader::desk) openForPerson(page); // the headset cannot show a browser
         messages_.note(phrase("desk.message.page", {{"file", page.string()}}), now, "page");
     } catch (const std::exception& fault) {
         messages_.warn(phrase("desk.message.page_not_written", {{"reason", fault.what()}}), now, "page");

@@ -17,14 +17,14 @@ float DesktopMenus::coveredRight() {
 float DesktopMenus::middleOfPicture() {
     const auto width = static_cast<float>(std::max(window_.size().x, 1));
     const float left = coveredLeft(), right = coveredRight();
-    if (left + right > 0.7f * width) return 0; // beside such panels there is no room for the metal
+    if (left + right > 0.7f * width) return 0; // such wide panels leave no room for the metal
     return (left - right) / width;
 }
 
 MenuRequest DesktopMenus::draw(const DesktopMenuContent& content) {
     ui::Context& context = interface_.context();
     LessonSession& session = content.session;
-    // In a narrow window it would lie over the demonstration's controls.
+    // The machine panel would cover the demonstration's controls in a narrow window.
     const Activities& activities = session.activities();
     const bool covers = activities.at(activities.demonstration) && ui::narrowerThan(context, 760);
     machineWaits_ = session.picture().cut().shown() || activities.at(activities.replay) || covers;
@@ -80,7 +80,7 @@ void DesktopMenus::showResult(const LessonSession& session) {
 }
 
 void DesktopMenus::makeRoom() {
-    // The result stands where view menu and timings do: the newer replaces the older.
+    // The result shares its place with view menu and timings: the newer replaces the older.
     if (panels.result && (panels.view || panels.timings)) {
         if (resultIsNewer_)
             panels.view = panels.timings = false;
@@ -88,8 +88,8 @@ void DesktopMenus::makeRoom() {
             panels.result = false;
     }
     resultIsNewer_ = !panels.result;
-    // In a small window the newer of the two panels at the left replaces the older, in a smaller one that at the right
-    // too.
+    // The newer of the two panels at the left replaces the older in a small window, and the panel at the right too in a
+    // smaller one.
     const ui::Context& context = interface_.context();
     const auto width = static_cast<float>(window_.size().x);
     const bool both = panels.view && panels.timings;

@@ -11,7 +11,7 @@
 
 namespace meltpool {
 
-/// What the menus show and change; borrowed for the call.
+/// Content that the menus show and change; borrowed for the call.
 struct DesktopMenuContent {
     LessonSession& session;
     Home& home;
@@ -21,7 +21,7 @@ struct DesktopMenuContent {
     const gl::Profiler& profiler;
     double frameMs = 0;
     const std::string& driver;                             ///< name of the graphics driver
-    std::span<const ParameterSection* const> viewSections; ///< for the view menu
+    std::span<const ParameterSection* const> viewSections; ///< sections of the view menu
 };
 
 class DesktopMenus {
@@ -30,14 +30,14 @@ class DesktopMenus {
 
     PanelState panels;
 
-    /// Draws all that is open. Answers what the person asked for.
+    /// Draws every open panel. Returns the person's request.
     MenuRequest draw(const DesktopMenuContent& content);
 
-    /// Opens the result panel, where the lesson has one.
+    /// Opens the result panel if the lesson has one.
     void showResult(const LessonSession& session);
 
-    /// How far the middle of the uncovered part of the window is right of the window's middle, as a share of half the
-    /// window's width.
+    /// Distance from the window's middle to the middle of its uncovered part, positive to the right, as a share of half
+    /// the window's width.
     float middleOfPicture();
 
   private:
@@ -48,11 +48,12 @@ class DesktopMenus {
 
     const Window& window_;
     ui::Interface& interface_;
-    /// Its values would change nothing, where the weld is cut open or an attempt replayed, or it has no room.
+    /// The machine panel is not drawn: its values would change nothing (weld cut open, attempt replayed), or it has no
+    /// room.
     bool machineWaits_ = false;
-    bool resultIsNewer_ = false;   ///< than the panels at its place
-    bool timingsAreNewer_ = false; ///< if both panels at the left are open in the next frame
-    bool machineIsNewer_ = false;  ///< than a panel at the left
+    bool resultIsNewer_ = false;   ///< the result opened after the panels at its place
+    bool timingsAreNewer_ = false; ///< choice if both panels at the left are open in the next frame
+    bool machineIsNewer_ = false;  ///< the machine panel opened after a panel at the left
 };
 
 } // namespace meltpool

@@ -12,7 +12,7 @@ namespace meltpool {
 
 namespace {
 
-/// Both of the same lesson.
+/// Copies values between two sections of one lesson.
 void copyValues(LessonSections& from, LessonSections& to) {
     const std::vector<ParameterSection*> sources = from.all();
     const std::vector<ParameterSection*> targets = to.all();
@@ -53,7 +53,7 @@ std::vector<SettingsSection> DesktopSettings::sections(const std::vector<Paramet
     for (const ParameterSection* each : all) {
         made.push_back({each->name, {}});
         for (const Parameter& p : each->parameters) {
-            // A value that stands in two menus is kept in the first of their sections only.
+            // Stores a value of two menus only once, in the first of their sections.
             const bool known =
                 std::any_of(kept.begin(), kept.end(), [&p](const Parameter& k) { return k.value == p.value; });
             if (known) continue;

@@ -1,4 +1,4 @@
-// What the window keeps in the settings file from one start to the next.
+// Stores the window's settings in a file from one start to the next.
 #pragma once
 
 #include "app/session/lesson_session.hpp"
@@ -10,43 +10,43 @@
 
 namespace meltpool {
 
-/// What the window itself remembers.
+/// Values that the window itself remembers.
 struct WindowParameters {
     int width = 1280; ///< points at an ordinary density
-    int height = 720; ///< the same
+    int height = 720; ///< points at an ordinary density
     bool maximised = false;
-    float interfaceSize = 1; ///< factor on what the desktop asks for
-    int picture = 0;         ///< see pictureChoices()
-    int detail = 0;          ///< see detailChoices(), in the headset too
+    float interfaceSize = 1; ///< factor on the desktop's own scale
+    int picture = 0;         ///< index into pictureChoices()
+    int detail = 0;          ///< index into detailChoices(), in the headset too
 };
 ParameterList describe(WindowParameters& parameters);
 
-/// Keeps the values of the default lesson and of sections that belong to no lesson. Another lesson's values are not
-/// kept.
+/// Stores the values of the default lesson and of sections that belong to no lesson. Another lesson's values are not
+/// stored.
 class DesktopSettings {
   public:
-    /// `file`: empty: settings.toml in the user's settings folder.
+    /// `file`: the settings file; empty: settings.toml in the user's settings folder.
     explicit DesktopSettings(const std::filesystem::path& file);
 
-    /// Reads the file into `others` and its own copy of the default lesson. Answers one sentence for each fault in the
-    /// file, and one where save() will fail.
+    /// Reads the file into `others` and its own copy of the default lesson. Returns one sentence for each fault in the
+    /// file, and one if save() will fail.
     std::vector<std::string> load(const std::vector<ParameterSection*>& others);
-    /// Writes what has changed since load() into the file. Answers one sentence for each fault that has come into the
-    /// file meanwhile. Throws InputError or RuntimeFault when writing fails.
+    /// Writes the changes since load() into the file. Returns one sentence for each fault that has come into the file
+    /// meanwhile. Throws InputError or RuntimeFault if writing fails.
     std::vector<std::string> save(const std::vector<ParameterSection*>& others);
 
-    /// Where the lesson is the default one, sets its values to the kept ones.
+    /// Sets the values of the default lesson to the stored ones; no-op for another lesson.
     void giveTo(const Lesson& lesson, LessonSections& sections);
-    /// Where the lesson is the default one, keeps its values from now on.
+    /// Stores the values of the default lesson from now on; no-op for another lesson.
     void takeFrom(const Lesson& lesson, LessonSections& sections);
 
   private:
     std::vector<SettingsSection> sections(const std::vector<ParameterSection*>& others);
 
     std::filesystem::path file_;
-    Lesson lesson_; ///< the default one
+    Lesson lesson_; ///< the default lesson
     LessonSections lessonSections_;
-    SettingsValues loaded_; ///< as they were after load(), or as they were saved since
+    SettingsValues loaded_; ///< values after load() or the last save()
 };
 
 } // namespace meltpool

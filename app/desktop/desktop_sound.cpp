@@ -4,7 +4,7 @@ namespace meltpool {
 
 namespace {
 
-constexpr int kChips = 3; ///< strokes of the hammer
+constexpr int kChips = 3; ///< strokes of the chipping hammer
 
 } // namespace
 

@@ -1,5 +1,5 @@
-// The lesson's sound as the window's frame drives it: where it comes from, how loud it is, and what the settings say of
-// the sound device.
+// Drives the lesson's sound from the window's frame: the place of the source, the volume, and the sound device's entry
+// in the settings.
 #pragma once
 
 #include "app/session/lesson_session.hpp"
@@ -12,19 +12,19 @@ namespace meltpool {
 
 class DesktopSound {
   public:
-    /// Plays what `session` gives to ears; it must outlive this.
+    /// Plays the sound of `session`, which must outlive this.
     explicit DesktopSound(LessonSession& session) : output_(session.hearing().ear.feed()) {}
 
-    /// Puts the arc where it is seen from: in the headset (null: none has this frame) at its place in the room, else at
-    /// its place in the picture. Neither waits nor allocates but once, when the device is known.
+    /// Moves the arc's sound to the place where the person sees the arc: in the room with a headset (null: none has
+    /// this frame), else in the picture. Neither waits nor allocates, except once, when the device is known.
     void update(LessonSession& session, const Controls& controls, const WindowHeadset* headset);
-    /// The attempt has been judged: a stick weld is cleaned before it is looked at.
+    /// Plays the chipping of a judged stick weld, which is cleaned before the person looks at it.
     void judged(LessonSession& session) const;
 
   private:
     SoundOutput output_;
-    bool told_ = false;  ///< the settings say which sound device there is
-    std::string device_; ///< what they say, and refer to
+    bool told_ = false;  ///< the settings name the sound device
+    std::string device_; ///< name of the device; the settings refer to it
 };
 
 } // namespace meltpool

@@ -9,9 +9,10 @@ namespace meltpool {
 
 namespace {
 
-/// Before a level's pictures count: the driver makes programs, and the card's times come some pictures late.
+/// Pictures before a level's pictures count: the driver compiles programs, and the card's times arrive some pictures
+/// late.
 constexpr int kFirst = 6;
-constexpr int kCounted = 6; ///< of which the quickest is judged: others may have waited for the metal's steps
+constexpr int kCounted = 6; ///< pictures of which the quickest counts: others may have waited for the metal's steps
 
 } // namespace
 

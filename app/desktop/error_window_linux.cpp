@@ -53,7 +53,7 @@ class Canvas {
     std::vector<char> pixels_;
 };
 
-/// The interface's fonts, drawn by the processor.
+/// Draws the interface's fonts on the processor.
 class Lettering {
   public:
     explicit Lettering(float scale) : scale_(scale) {
@@ -69,7 +69,7 @@ class Lettering {
     ImFont& strong() const { return *fonts_.strong; }
     float points(float size) const { return size * scale_; }
 
-    /// The words in lines of at most this many pixels.
+    /// Breaks the text into lines of at most `room` pixels.
     std::vector<std::string> lines(ImFont& font, const std::string& text, float room) const {
         std::vector<std::string> all;
         for (const std::string_view paragraph : splitText(text, '\n')) {
@@ -118,7 +118,7 @@ class Lettering {
                 canvas.blend(static_cast<int>(left) + column, static_cast<int>(top) + row, tint, cover(u, v));
             }
     }
-    /// Between the two nearest texels of the row: letters are twice as wide in the atlas.
+    /// Interpolates between the two nearest texels of the row: letters are twice as wide in the atlas.
     float cover(float u, float v) const {
         const float along = u * static_cast<float>(atlasWidth_) - 0.5f;
         const int column = static_cast<int>(std::floor(along));
@@ -141,7 +141,7 @@ struct Button {
     bool holds(int x, int y) const { return x >= left && x < right && y >= top && y < bottom; }
 };
 
-/// The whole window as a picture, and where its button is.
+/// Paints the whole window as a picture; returns it with the place of its button.
 std::pair<Canvas, Button> paint(const Lettering& letters, const std::string& sentence) {
     const float pad = letters.points(kPad), line = ui::loadedSize(letters.body()) * 1.3f;
     const float room = letters.points(kWidth) - 2 * pad;
@@ -170,14 +170,14 @@ std::pair<Canvas, Button> paint(const Lettering& letters, const std::string& sen
     return {std::move(canvas), button};
 }
 
-/// Of an ordinary density; from the desktop's setting, as the main window has it.
+/// Scale of the window, 1 at an ordinary density: from the desktop's setting, as the main window has it.
 float scaleOf(Display* display) {
     const char* dpi = XGetDefault(display, "Xft", "dpi");
     const auto number = dpi == nullptr ? std::nullopt : parseDouble(dpi);
     return number ? std::clamp(static_cast<float>(*number / 96), 0.5f, 4.0f) : 1.0f;
 }
 
-/// In the middle of the screen, of a fixed size.
+/// Opens a window of fixed size in the middle of the screen.
 Window openWindow(Display* display, const Canvas& canvas, Atom farewell) {
     const int screen = DefaultScreen(display);
     const int x = std::max((DisplayWidth(display, screen) - canvas.width()) / 2, 0);
@@ -202,7 +202,7 @@ Window openWindow(Display* display, const Canvas& canvas, Atom farewell) {
     return window;
 }
 
-/// True for the button, a key of it or the window's cross.
+/// Returns true for the button, its keys or the window's cross.
 bool closes(XEvent& event, const Button& button, Atom farewell) {
     if (event.type == ClientMessage) return static_cast<Atom>(event.xclient.data.l[0]) == farewell;
     if (event.type == ButtonRelease) return button.holds(event.xbutton.x, event.xbutton.y);
@@ -233,7 +233,7 @@ bool showOnX(const std::string& sentence) {
                       static_cast<unsigned>(canvas.width()), static_cast<unsigned>(canvas.height()));
         open = !closes(event, button, farewell);
     }
-    image->data = nullptr; // it is the canvas's
+    image->data = nullptr; // the canvas owns the pixels
     XDestroyImage(image);
     return true;
 }
@@ -252,7 +252,7 @@ bool showErrorWindow(const std::string& sentence) {
     if (showOnX(sentence)) return true;
     for (const DialogCommand& command : dialogCommands(sentence, environmentVariable("XDG_CURRENT_DESKTOP"))) {
         const std::filesystem::path program = findProgram(command.program);
-        // They answer 1 where the person closes them by the window's cross.
+        // Dialog programs return 1 if the person closes them by the window's cross.
         if (!program.empty() && runToItsEnd(program, command.words) >= 0) return true;
     }
     return false;

@@ -1,4 +1,4 @@
-// The program's clock as the window's frames read it, s since the window was opened.
+// Reads the program's clock for the window's frames, s since the window opened.
 #pragma once
 
 #include <chrono>
@@ -9,15 +9,15 @@ class FrameClock {
   public:
     double now() const { return std::chrono::duration<double>(Clock::now() - begun_).count(); }
 
-    /// Begins a frame. Answers the time since the last one, or since restart(), s.
+    /// Begins a frame. Returns the time since the last one, or since restart(), s.
     double next() {
         const double last = frame_;
         frame_ = now();
         return frame_ - last;
     }
-    /// The next frame's time counts from now on.
+    /// Restarts the next frame's time from now.
     void restart() { frame_ = now(); }
-    /// When the frame under way began.
+    /// Begin of the current frame, s.
     double frame() const { return frame_; }
 
   private:

@@ -9,7 +9,8 @@ namespace meltpool {
 
 namespace {
 
-/// s. Few displays show more frames, and some drivers do not wait for the display: the loop would keep a core busy.
+/// Shortest frame, s. Few displays show more frames, and some drivers do not wait for the display: the loop would load
+/// a core.
 constexpr double kShortestFrame = 1.0 / 125;
 
 } // namespace

@@ -14,7 +14,7 @@ namespace {
 constexpr float kStickRest = 0.15F;
 constexpr float kTriggerRest = 0.05F;
 
-/// Beyond its rest a stick begins at 0, so that a slow way can be led.
+/// Beyond its dead zone a stick begins at 0, so that slow movements are possible.
 glm::vec2 stick(float x, float y) {
     const glm::vec2 pushed(x, -y);
     const float way = std::min(glm::length(pushed), 1.0F);

@@ -35,9 +35,9 @@ void Interface::rebuildFonts(float scale, float pixelScale) {
 }
 
 void Interface::begin(float size, bool captured, bool byKeyboard) {
-    constexpr float kLargest = 6; // three times an ordinary density, and text of twice the size
+    constexpr float kLargest = 6; // three times an ordinary density, with text of twice the size
     const float scale = std::clamp(window_.interfaceScale() * size, 0.5f, kLargest);
-    // While a slider is dragged the sizes must not change, or it would move away from the mouse.
+    // The sizes stay fixed while a slider is dragged, or it would move away from the mouse.
     const bool settled = context_.scale <= 0 || !ImGui::IsMouseDown(0);
     const bool other = settled && (scale != context_.scale || window_.pixelScale() != pixelScale_);
     if (other) rebuildFonts(scale, window_.pixelScale());
@@ -51,7 +51,7 @@ void Interface::begin(float size, bool captured, bool byKeyboard) {
 #if IMGUI_VERSION_NUM < 19200
     if (other) io.Fonts->ClearTexData(); // the driver has its own copy
 #endif
-    // This asks the display for mouse and focus, which takes longer than drawing all menus.
+    // ImGui_ImplGlfw_NewFrame() asks the display for mouse and focus, which takes longer than drawing all menus.
     if (window_.stirred()) ImGui_ImplGlfw_NewFrame();
     const Clock::time_point now = Clock::now();
     io.DeltaTime = std::max(std::chrono::duration<float>(now - lastBegin_).count(), 1e-4f);
@@ -81,7 +81,7 @@ void Interface::end() {
     const glm::ivec2 pixels = window_.pixels();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(0, 0, pixels.x, pixels.y);
-    const InWork driver(WorkPlace::driver); // Dear ImGui's own OpenGL calls
+    const InWork driver(WorkPlace::driver); // OpenGL calls of Dear ImGui itself
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 

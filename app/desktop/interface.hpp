@@ -1,4 +1,5 @@
-// Dear ImGui bound to the window: frames, fonts that follow the screen's scale, and which input it takes for itself.
+// Binds Dear ImGui to the window: frames, fonts that follow the screen's scale, and the input that Dear ImGui takes for
+// itself.
 #pragma once
 
 #include "app/desktop/window.hpp"
@@ -10,7 +11,7 @@ namespace meltpool::ui {
 
 class Interface {
   public:
-    /// Call after the window installed its own callbacks.
+    /// Call this after the window has installed its own callbacks.
     explicit Interface(Window& window);
     ~Interface();
     Interface(const Interface&) = delete;
@@ -19,9 +20,9 @@ class Interface {
     /// Begins a frame. `size`: the person's factor on the desktop's scale. `captured`: the interface ignores the mouse.
     /// `byKeyboard`: keys move between the controls.
     void begin(float size, bool captured, bool byKeyboard);
-    /// Takes out of `input` what belongs to the interface. Between begin() and end().
+    /// Removes the interface's own input from `input`. Call between begin() and end().
     void takeInput(InputFrame& input, bool captured) const;
-    /// Draws it into the window's frame buffer.
+    /// Draws the frame into the window's frame buffer.
     void end();
     /// Ends a frame without drawing it.
     void drop();

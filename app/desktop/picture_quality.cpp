@@ -9,15 +9,16 @@ namespace meltpool {
 namespace {
 
 // none: the numbers below are chosen so that a level changes at most every few seconds in a steady weld.
-constexpr int kFewestFrames = 4;       ///< before a level is judged: the first ones hold what made it
+constexpr int kFewestFrames = 4;       ///< before a level is judged: the first frames include the cost of the change
 constexpr double kSmooth = 0.2;        ///< weight of the newest frame
-constexpr double kTooMuch = 1.1;       ///< times what is allowed: coarser
-constexpr double kSurelyEnough = 0.85; ///< times what is allowed: finer
+constexpr double kTooMuch = 1.1;       ///< factor on the allowed time: above it, coarser
+constexpr double kSurelyEnough = 0.85; ///< factor on the allowed time: below it, finer
 constexpr double kFirstPatience = 2;   ///< s
 constexpr double kMostPatience = 60;   ///< s
-constexpr double kStill = 0.5;         ///< s without a move from which metal and picture stand still
+constexpr double kStill = 0.5;         ///< s without movement, after which metal and picture count as still
 constexpr double kForgotten = 20;      ///< s after which the cost of another level is a guess again
-/// Of a frame's work besides steps: what does not grow with the picture's pixels, while only one level is known.
+/// Share of a frame's work apart from steps that does not grow with the picture's pixels, while only one level is
+/// known.
 constexpr double kFixed = 0.3;
 
 double area(int level) {
@@ -44,9 +45,9 @@ void PictureBudget::restart() {
     *this = {};
 }
 
-/// Steps that are slower than the clock take all they can get and make frames long. A picture that takes a small share
-/// of such a frame stays as it is: fewer pixels would save next to nothing. Beside steps a picture is free that is
-/// ready before they are.
+/// Steps that are slower than the clock take all the time they can get and make frames long. A picture with a small
+/// share of such a frame keeps its level: fewer pixels would save next to nothing. A picture that runs in parallel with
+/// steps costs nothing if it ends before they do.
 double PictureBudget::allowed(double rest) const {
     const double frame = frame_ - known_[static_cast<size_t>(level_)].rest + rest;
     return std::max({kFrame * (1 - load_), kLeastShare * std::max(kFrame, frame), least_});
@@ -65,7 +66,7 @@ double PictureBudget::expectedAt(int level) const {
 
 void PictureBudget::moveTo(int level) {
     const bool up = level < level_;
-    // Down again at once: the finer level is tried less and less often.
+    // A quick return to the coarser level makes the next trial of the finer one later.
     if (!up && wentUp_) patience_ = std::min(2 * patience_, kMostPatience);
     if (up && !wentUp_ && here_ > 2 * patience_) patience_ = kFirstPatience;
     wentUp_ = up;
@@ -81,7 +82,7 @@ void PictureBudget::add(const FrameCost& frame) {
     here_ += frame.seconds;
     load_ += (frame.load - load_) * kSmooth;
     least_ += (frame.least - least_) * kSmooth;
-    if (++frames_ <= 1) return; // its picture was the last one of the level before
+    if (++frames_ <= 1) return; // the first frame still has the picture of the level before
     Known& known = known_[static_cast<size_t>(level_)];
     const double rest = std::max(frame.seconds - frame.steps, 1e-6);
     known.rest = frames_ == 2 || known.rest == 0 ? rest : known.rest + (rest - known.rest) * kSmooth;

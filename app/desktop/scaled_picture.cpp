@@ -17,7 +17,7 @@ RenderTarget ScaledPicture::begin(glm::ivec2 window, float share) {
         return {0, {0, 0, window.x, window.y}};
     }
     if (!buffers_ || size != size_) {
-        buffers_.reset(); // its memory may be needed for the next
+        buffers_.reset(); // the next picture may need the memory
         buffers_ = std::make_unique<Buffers>();
         buffers_->colour = gl::Texture("scaled picture", {.width = size.x, .height = size.y});
         buffers_->depth =
@@ -30,7 +30,7 @@ RenderTarget ScaledPicture::begin(glm::ivec2 window, float share) {
     return {buffers_->framebuffer.name(), {0, 0, size.x, size.y}};
 }
 
-/// Drawn: where the processor draws, glBlitNamedFramebuffer() takes half as long again to enlarge.
+/// A shader enlarges the picture: if the processor draws, glBlitNamedFramebuffer() takes half as long again.
 void ScaledPicture::end(GLuint window) const {
     glBindFramebuffer(GL_FRAMEBUFFER, window);
     if (!buffers_) return;

@@ -1,4 +1,4 @@
-// The metal's picture with fewer pixels than the window has, enlarged to the window.
+// Draws the metal's picture with fewer pixels than the window and enlarges it to the window.
 #pragma once
 
 #include "core/gl/program.hpp"
@@ -15,9 +15,9 @@ class ScaledPicture {
   public:
     explicit ScaledPicture(gl::ShaderLibrary& shaders);
 
-    /// Where to draw a picture with this share of the window's width and height: the window itself for 1.
+    /// Returns the target for a picture with this share of the window's width and height: the window itself for 1.
     RenderTarget begin(glm::ivec2 window, float share);
-    /// Enlarges what was drawn to the window, whose frame buffer is left bound.
+    /// Enlarges the picture to the window and leaves the window's frame buffer bound.
     void end(GLuint window = 0) const;
 
   private:

@@ -34,7 +34,7 @@ fs::path saveScreenshot(glm::ivec2 pixels) {
 
 fs::path savePicture(const Image& image) {
     const fs::path folder = picturesFolder();
-    std::error_code failed; // writing the picture tells
+    std::error_code failed; // writing the picture reports the failure
     fs::create_directories(folder, failed);
     const fs::path name = pictureName(folder);
     writePng(name, image);

@@ -10,7 +10,7 @@ namespace meltpool {
 
 void ScreenshotTaker::ask(bool large, Messages& messages) {
     (large ? largeAsked_ : windowAsked_) = true;
-    messages.clear("picture"); // the last picture's message is not for this one
+    messages.clear("picture"); // the last picture's message does not belong to this one
 }
 
 void ScreenshotTaker::take(WindowPicture& picture, LessonSession& session, glm::ivec2 pixels, Messages& messages,

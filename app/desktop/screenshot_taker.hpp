@@ -1,4 +1,4 @@
-// Pictures that the person asks for: of the window with its menus, or large ones of the metal.
+// Takes pictures that the person asks for: of the window with its menus, or large ones of the metal.
 #pragma once
 
 #include "app/desktop/window_picture.hpp"
@@ -13,21 +13,20 @@ namespace meltpool {
 
 class ScreenshotTaker {
   public:
-    /// Asks for a picture of the frame under way. `large`: of the metal, see WindowPicture::large(), else of the
-    /// window.
+    /// Requests a picture of the current frame. `large`: of the metal, see WindowPicture::large(), else of the window.
     void ask(bool large, Messages& messages);
     bool asked() const { return windowAsked_ || largeAsked_; }
-    /// A picture of the window is due, which needs all its pixels.
+    /// Returns true if a picture of the window is due, which needs all its pixels.
     bool windowAsked() const { return windowAsked_; }
 
-    /// Saves the picture asked for, and a message says where it is or why it was not saved. Where `picture`
-    /// is not prepared(), a picture of the window replaces a large one. `pixels` of the window, drawn and not yet
+    /// Saves the requested picture; a message gives its file or the reason of the failure. If `picture` is not
+    /// prepared(), a picture of the window replaces a large one. `pixels`: size of the window, drawn and not yet
     /// swapped; `now` is s on the program's clock.
     void take(WindowPicture& picture, LessonSession& session, glm::ivec2 pixels, Messages& messages, double now);
 
-    /// File of the newest picture saved; empty: none was.
+    /// File of the newest saved picture; empty: none.
     const std::string& saved() const { return saved_; }
-    /// Why the first picture that was not saved was not; empty: all were.
+    /// Reason why the first unsaved picture failed; empty: all were saved.
     const std::string& lost() const { return lost_; }
 
   private:

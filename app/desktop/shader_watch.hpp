@@ -10,7 +10,7 @@ namespace meltpool {
 class ShaderWatch {
   public:
     /// Looks at the files twice a second. `other`: a context with programs of its own, or null. `now`: s on the
-    /// program's clock. A refused shader's message stands until the shader is mended; its old version runs on.
+    /// program's clock. A refused shader's message stays until the shader is mended; its old version stays in use.
     void update(gl::ShaderLibrary& shaders, gl::OtherContext* other, Messages& messages, double now);
 
   private:

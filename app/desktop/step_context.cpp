@@ -8,7 +8,7 @@ namespace meltpool {
 bool HeadlessStepContext::enter() {
     try {
         context_.emplace();
-    } catch (const InputError&) { // the window's own context serves, too
+    } catch (const InputError&) { // the window's own context serves as well
         return false;
     }
     if (!gl::dispatchIsSynchronous()) {

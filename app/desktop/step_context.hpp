@@ -1,4 +1,4 @@
-// The OpenGL context of the thread that makes the metal's steps.
+// Provides the OpenGL context of the thread that makes the metal's steps.
 #pragma once
 
 #include "core/gl/context.hpp"
@@ -9,24 +9,24 @@
 
 namespace meltpool {
 
-/// Made and destroyed on any thread; all else on the one that it is for.
+/// OpenGL context of one thread. Any thread may make and destroy it; all other calls belong to its own thread.
 class StepContext {
   public:
     virtual ~StepContext() = default;
-    /// Makes it the calling thread's context; false where there is none that serves.
+    /// Makes it the calling thread's context; returns false if none is suitable.
     virtual bool enter() = 0;
-    /// The calling thread has no context any more.
+    /// Releases the calling thread's context.
     virtual void leave() = 0;
-    /// Its programs, between these two.
+    /// Programs of the context, valid between enter() and leave().
     virtual gl::ShaderLibrary& shaders() = 0;
 };
 
 /// Shares nothing with the window's context, so that dispatches of one do not wait for those of the other.
 class HeadlessStepContext final : public StepContext {
   public:
-    /// `shaders`: the folder that programs are loaded from.
+    /// `shaders`: the folder of the programs.
     explicit HeadlessStepContext(std::filesystem::path shaders) : root_(std::move(shaders)) {}
-    /// False where its dispatches would not end at once, or no driver serves.
+    /// Returns false if its dispatches would not be synchronous, or if no driver serves.
     bool enter() override;
     void leave() override;
     gl::ShaderLibrary& shaders() override { return *shaders_; }

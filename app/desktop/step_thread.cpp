@@ -6,7 +6,7 @@ namespace meltpool {
 
 StepThread::StepThread(std::unique_ptr<StepContext> context) : context_(std::move(context)) {
     thread_ = std::thread([this] { live(); });
-    // The window's thread makes no call of OpenGL while the other one takes its context.
+    // The window's thread makes no OpenGL call while the other thread takes its context.
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return ready_; });
 }
@@ -36,7 +36,7 @@ void StepThread::live() {
     if (usable_) context_->leave();
 }
 
-/// Does the work that is there, without the lock.
+/// Does the waiting work, without the lock.
 void StepThread::serve(std::unique_lock<std::mutex>& lock, gl::BarrierFreeThread& barrierFree) {
     lock.unlock();
     std::exception_ptr fault;
@@ -93,7 +93,7 @@ void StepThread::run(FunctionRef<void()> work) {
         const auto idle = [this] { return work_ == nullptr; };
         std::unique_lock lock(mutex_);
         changed_.wait(lock, idle);
-        const std::exception_ptr before = fault_; // of what was begun: wait() throws that
+        const std::exception_ptr before = fault_; // fault of the begun work: wait() throws it
         work_ = FunctionRef<void()>(guarded);
         changed_.notify_all();
         changed_.wait(lock, idle);

@@ -1,4 +1,4 @@
-// A thread that makes the metal's steps while the window's thread draws, where the processor does both.
+// Makes the metal's steps on a thread while the window's thread draws, if the processor does both.
 #pragma once
 
 #include "app/desktop/step_context.hpp"
@@ -17,8 +17,8 @@
 
 namespace meltpool {
 
-/// Between begin() and wait() the two threads must not touch the same memory. What was written on either side before
-/// these two calls, or before run(), is seen after them.
+/// Runs work on a thread with its own context. Between begin() and wait() the two threads must not touch the same
+/// memory. Memory written on either side before these two calls, or before run(), is visible after them.
 class StepThread final : public gl::OtherContext {
   public:
     explicit StepThread(std::unique_ptr<StepContext> context);
@@ -26,23 +26,23 @@ class StepThread final : public gl::OtherContext {
     StepThread(const StepThread&) = delete;
     StepThread& operator=(const StepThread&) = delete;
 
-    /// The thread has its context. Where not, nothing may be begun or run.
+    /// Returns true if the thread has its context. Without it, nothing may be begun or run.
     bool usable() const { return usable_; }
 
-    /// Starts `work` over there; wait() must follow.
+    /// Starts `work` on the thread; wait() must follow.
     void begin(std::function<void()> work);
-    /// Returns when the work is done; throws what it threw. Nothing where none was begun.
+    /// Returns when the work is done; throws its exception. No-op without begun work.
     void wait();
 
-    /// After what was begun, if anything was.
+    /// Runs `work` on the thread and returns after it; begun work goes first.
     void run(FunctionRef<void()> work) override;
     bool here() const override { return std::this_thread::get_id() == thread_.get_id(); }
     gl::ShaderLibrary& shaders() override { return context_->shaders(); }
 
-    /// How long the last wait() waited, and the time from the begin() before to its end, s.
+    /// Waiting time of the last wait(), and the time from its begin() to its end, s.
     double waited() const { return waited_; }
     double seconds() const { return seconds_; }
-    /// What the thread did since the last call; while nothing is under way.
+    /// Returns the thread's work costs since the last call. Call only while no work is under way.
     WorkCosts takeCosts() { return std::exchange(costs_, {}); }
 
   private:
@@ -57,7 +57,7 @@ class StepThread final : public gl::OtherContext {
     double seconds_ = 0;
     WorkCosts costs_;
 
-    std::mutex mutex_; // of all below
+    std::mutex mutex_; // guards all members below
     std::condition_variable changed_;
     std::function<void()> work_;
     std::exception_ptr fault_;

@@ -64,7 +64,7 @@ std::string lastProblem() {
     return text == nullptr ? "no reason given" : text;
 }
 
-/// What the driver offers when nothing in particular is asked for.
+/// Returns the driver's OpenGL version if the program asks for none in particular.
 std::string offeredVersion() {
     glfwDefaultWindowHints();
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
@@ -82,7 +82,7 @@ std::string offeredVersion() {
     return found;
 }
 
-/// How a machine whose graphics card is too old still shows the window; empty where that changes nothing.
+/// Advice on how a machine with too old a graphics card still shows the window; empty if it changes nothing.
 std::string softwareAdvice() {
 #ifdef __linux__
     if (environmentVariable("LIBGL_ALWAYS_SOFTWARE").empty())
@@ -96,7 +96,7 @@ void start() {
     if (!startWindowSystem()) throw InputError("no window can be opened here: " + lastProblem());
 }
 
-/// What is wanted of the next window made, which is hidden at first.
+/// Sets the hints for the next window, which is hidden at first.
 void hintContext(int samples) {
     glfwDefaultWindowHints();
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
@@ -106,7 +106,7 @@ void hintContext(int samples) {
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     glfwWindowHint(GLFW_SAMPLES, samples);
     glfwWindowHint(GLFW_DEPTH_BITS, 24);
-    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE); // Windows: it grows when it comes to a denser screen
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE); // Windows: the window grows when it comes to a denser screen
 }
 
 std::span<GLFWmonitor* const> monitors() {
@@ -115,7 +115,7 @@ std::span<GLFWmonitor* const> monitors() {
     return {all, static_cast<size_t>(count)};
 }
 
-/// The whole of a monitor; without a size where it is switched off.
+/// Returns the whole area of a monitor; without a size if it is switched off.
 ScreenArea monitorArea(GLFWmonitor* monitor) {
     ScreenArea area;
     glfwGetMonitorPos(monitor, &area.corner.x, &area.corner.y);
@@ -123,7 +123,7 @@ ScreenArea monitorArea(GLFWmonitor* monitor) {
     return area;
 }
 
-/// The monitor that shows most of the area; null where there is none.
+/// Returns the monitor that shows most of the area; null if there is none.
 GLFWmonitor* monitorOf(const ScreenArea& area) {
     std::vector<ScreenArea> screens;
     for (GLFWmonitor* monitor : monitors())
@@ -131,7 +131,7 @@ GLFWmonitor* monitorOf(const ScreenArea& area) {
     return screens.empty() ? nullptr : monitors()[screenOf(area, screens)];
 }
 
-/// Without a size where there is no monitor.
+/// Returns the monitor's work area; without a size if there is no monitor.
 ScreenArea workAreaOf(GLFWmonitor* monitor) {
     ScreenArea area;
     if (monitor != nullptr) glfwGetMonitorWorkarea(monitor, &area.corner.x, &area.corner.y, &area.size.x, &area.size.y);
@@ -156,7 +156,7 @@ Window::Window(const Options& options) : normalSize_(options.width, options.heig
         open(options);
         driver_ = gl::useCurrentContext(gl::debugBuild());
         if (driver_.software && options.samples > 0) {
-            // Four samples a pixel take too long where the processor draws.
+            // Four samples a pixel take too long if the processor draws.
             glfwDestroyWindow(std::exchange(window_, nullptr));
             Options plain = options;
             plain.samples = 0;
@@ -246,11 +246,11 @@ InputFrame Window::poll(double patience) {
         glfwWaitEventsTimeout(patience);
     else
         glfwPollEvents();
-    // A key or button that was pressed and released between two frames is held in one frame.
+    // A key or button pressed and released between two frames counts as held in one frame.
     gathering_.held |= down_;
     gathering_.leftHeld |= leftDown_;
     gathering_.rightHeld |= rightDown_;
-    // Another program may be led by the same gamepad.
+    // Another program may use the same gamepad.
     if (focused_) gathering_.gamepad = readGamepad();
     return std::exchange(gathering_, InputFrame{});
 }
@@ -269,7 +269,7 @@ void Window::onKey(int key, int action, int modifiers) {
     const auto* known = std::find_if(kKeys.begin(), kKeys.end(), [key](const auto& k) { return k.first == key; });
     if (known == kKeys.end()) return;
     const auto bit = static_cast<size_t>(known->second);
-    // With Ctrl, Alt or the system's key it is a command to something else.
+    // A key with Ctrl, Alt or the system's key is a command to another program.
     const bool alone = (modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER)) == 0;
     down_[bit] = action == GLFW_PRESS ? alone : action == GLFW_REPEAT && down_[bit];
     if (!down_[bit]) return;
@@ -379,7 +379,7 @@ float Window::pixelScale() const {
 float Window::interfaceScale() const {
     glm::vec2 content{1};
     glfwGetWindowContentScale(window_, &content.x, &content.y);
-    // Where a point is larger than a pixel (macOS, Wayland), the system scales already.
+    // The system scales already if a point is larger than a pixel (macOS, Wayland).
     return std::clamp(content.x / std::max(pixelScale(), 1e-3f), 0.5f, 4.0f);
 }
 

@@ -18,7 +18,7 @@ void WindowPicture::count(const LessonSession& session, double seconds, const st
     if (beside)
         return budget_.add(
             {seconds, beside->waited, 0, seconds - beside->seconds + session.run().clock().busyBeside()});
-    // Real time that the steps of a second of the metal take.
+    // Real time that the steps of one second of the metal take, s.
     const double load = 1 / session.run().clock().speedOfSteps(session.run().trainer()->timeStep());
     budget_.add({seconds, steps, steps > 0 ? load : 0, 0});
 }
@@ -47,7 +47,7 @@ void WindowPicture::draw(LessonSession& session, gl::Profiler* profiler) {
     scaled_.end();
 }
 
-/// Pixels; half a particle's width in the large picture is less, unless the camera stands in the metal.
+/// Margin, pixels; half a particle's width in the large picture is less, unless the camera is inside the metal.
 constexpr int kPointMargin = 64;
 
 Image WindowPicture::large(LessonSession& session) {

@@ -1,4 +1,4 @@
-// The picture of the running lesson in the window, drawn as finely as the setting says or as the metal leaves time for.
+// Draws the picture of the running lesson in the window, as finely as the setting says or the metal leaves time for.
 #pragma once
 
 #include "app/desktop/background_steps.hpp"
@@ -10,35 +10,35 @@
 
 namespace meltpool {
 
-/// What the window knows of a picture to be drawn.
+/// Request of the window for a picture.
 struct PictureWish {
-    glm::ivec2 pixels{0};      ///< of the window
-    float middle = 0;          ///< of what the panels leave free, see DesktopMenus::middleOfPicture()
-    double seconds = 0;        ///< of the last frame
-    int setting = 0;           ///< of pictureChoices()
-    bool whole = false;        ///< with all pixels whatever the setting: it is to be kept
-    bool surfaceLater = false; ///< the metal's surface is made in draw()
+    glm::ivec2 pixels{0};      ///< size of the window
+    float middle = 0;          ///< middle of the uncovered part, see DesktopMenus::middleOfPicture()
+    double seconds = 0;        ///< duration of the last frame
+    int setting = 0;           ///< index into pictureChoices()
+    bool whole = false;        ///< draw all pixels whatever the setting: the picture is to be saved
+    bool surfaceLater = false; ///< draw() makes the metal's surface
 };
 
 class WindowPicture {
   public:
     explicit WindowPicture(gl::ShaderLibrary& shaders) : scaled_(shaders) {}
 
-    /// Counts the last frame, which took `seconds`. `beside`: empty where the steps were made before the picture. To be
-    /// called before the next steps are made. From then on the picture of this frame is not prepared().
+    /// Counts the last frame, which took `seconds`. `beside`: empty if the steps ran before the picture. Call it before
+    /// the next steps. After it, the picture of this frame is not prepared().
     void count(const LessonSession& session, double seconds, const std::optional<StepsBeside>& beside);
-    /// Takes what the picture shows from the lesson as it is now. The metal moves smoothly to the middle wished for.
+    /// Takes the picture's content from the lesson's current state. The metal moves smoothly to the requested middle.
     void prepare(LessonSession& session, const Controls& controls, const PictureWish& wish, gl::Profiler* profiler);
-    /// This frame has a picture of the lesson.
+    /// Returns true if this frame has a picture of the lesson.
     bool prepared() const { return prepared_; }
-    /// Draws that. Leaves the window's frame buffer bound.
+    /// Draws the prepared picture. Leaves the window's frame buffer bound.
     void draw(LessonSession& session, gl::Profiler* profiler);
-    /// The same moment without panels and with all detail, 4K or as much of that as has the window's shape. Waits for
-    /// the driver: seconds where the processor draws. Throws RuntimeFault when it cannot draw it.
+    /// Returns the prepared moment without panels and with all detail, in 4K or as much of that as fits the window's
+    /// shape. Waits for the driver: seconds if the processor draws. Throws RuntimeFault if it cannot draw it.
     Image large(LessonSession& session);
-    /// What the last picture was drawn at, see pictureSentence().
+    /// Level of the last picture as a sentence, see pictureSentence().
     std::string_view sentence() const { return sentence_; }
-    /// Neither metal nor camera moved lately: the next picture is the same as the last.
+    /// Returns true if neither metal nor camera moved lately: the next picture is equal to the last.
     bool stands() const { return stands_; }
 
   private:
@@ -46,9 +46,9 @@ class WindowPicture {
     StillPicture still_;
     ScaledPicture scaled_;
     DeskPicture shown_;
-    PictureLevel level_ = PictureLevel::full; ///< of shown_
+    PictureLevel level_ = PictureLevel::full; ///< level of shown_
     glm::ivec2 pixels_{0};
-    float shift_ = 0; ///< of shown_, see LessonPicture::atDesk()
+    float shift_ = 0; ///< shift of shown_, see LessonPicture::atDesk()
     std::string_view sentence_;
     bool counts_ = false; ///< the last picture was drawn at the budget's level
     bool stands_ = false;

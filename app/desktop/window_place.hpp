@@ -1,4 +1,4 @@
-// Chooses the window's size and place from the screens that are there.
+// Chooses the window's size and place from the available screens.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -10,11 +10,11 @@ namespace meltpool {
 
 /// A rectangle in the system's screen points, y downwards.
 struct ScreenArea {
-    glm::ivec2 corner{0}; ///< top left
+    glm::ivec2 corner{0}; ///< top left corner
     glm::ivec2 size{0};
 };
 
-/// What the system draws around the window's inside, screen points.
+/// Widths of the system's frame around the window's inside, screen points.
 struct WindowFrame {
     glm::ivec2 topLeft{0};
     glm::ivec2 bottomRight{0};
@@ -24,14 +24,15 @@ struct WindowFrame {
 /// large as `workArea` has room for inside the frame. A work area without a size is unknown and limits nothing.
 glm::ivec2 fittingSize(glm::ivec2 wanted, float scale, const ScreenArea& workArea, const WindowFrame& frame);
 
-/// The smallest size that the person may give the window: 640x480 times the scale, at most `fitting`.
+/// Smallest size that the person may give the window: 640x480 times the scale, at most `fitting`.
 glm::ivec2 leastSize(float scale, glm::ivec2 fitting);
 
-/// Where the window's inside goes when it or its frame sticks out of the work area: its middle. Empty where it does not
-/// stick out or the work area is unknown.
+/// Returns the place of the window's inside in the middle of the work area if it or its frame sticks out of the area.
+/// Empty if nothing sticks out or the work area is unknown.
 std::optional<glm::ivec2> placeInside(const ScreenArea& window, const WindowFrame& frame, const ScreenArea& workArea);
 
-/// Which of the screens shows most of the window; the first where none shows any of it. At least one screen.
+/// Returns the index of the screen that shows most of the window; the first if none shows any of it. Needs at least one
+/// screen.
 size_t screenOf(const ScreenArea& window, std::span<const ScreenArea> screens);
 
 } // namespace meltpool

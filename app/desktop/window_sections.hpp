@@ -1,4 +1,4 @@
-// Sections of values that belong to no lesson, for settings file, view menu and telemetry.
+// Holds the sections of values that belong to no lesson, for settings file, view menu and telemetry.
 #pragma once
 
 #include "app/desktop/desktop_settings.hpp"
@@ -14,18 +14,19 @@ namespace meltpool {
 
 class WindowSections {
   public:
-    /// Borrows all three. The values that they hold now are the defaults.
+    /// Borrows all three. Their current values are the defaults.
     WindowSections(Controls& controls, PanelState& panels, LessonSession& session);
     WindowSections(const WindowSections&) = delete; // the sections point at `window`
     WindowSections& operator=(const WindowSections&) = delete;
 
     WindowParameters window;
 
-    /// `headset`: the headset's section; null: there is none.
+    /// Returns the sections of the settings file. `headset`: the headset's section; null: none.
     std::vector<ParameterSection*> forFile(ParameterSection* headset);
-    /// With those of the open lesson. Holds until the next call; does not allocate, as it is called in each frame.
+    /// Returns the sections of the view menu, with those of the open lesson. Valid until the next call; does not
+    /// allocate, since every frame calls it.
     std::span<const ParameterSection* const> forViewMenu(const ParameterSection* headset);
-    /// With those of the open lesson.
+    /// Returns the sections of the telemetry, with those of the open lesson.
     std::vector<const ParameterSection*> forTelemetry() const;
 
   private:

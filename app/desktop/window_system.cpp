@@ -6,7 +6,7 @@
 #ifdef __linux__
 #include <X11/Xlib.h>
 
-/// As GLFW/glfw3native.h declares it, which needs headers of other extensions too.
+/// GLFW/glfw3native.h declares it too, but needs headers of other extensions.
 extern "C" Display* glfwGetX11Display(void);
 #endif
 
@@ -19,7 +19,7 @@ namespace {
 
 std::atomic<bool> lost{false};
 
-#ifdef GLFW_PLATFORM_X11 // since GLFW 3.4
+#ifdef GLFW_PLATFORM_X11 // exists since GLFW 3.4
 bool isSet(const char* variable) {
     const char* value = std::getenv(variable);
     return value != nullptr && *value != '\0';
@@ -30,7 +30,7 @@ bool isSet(const char* variable) {
 
 bool startWindowSystem() {
 #ifdef GLFW_PLATFORM_X11
-    // Without these two libwayland finds no compositor, and writes so to standard error.
+    // libwayland finds no compositor without these two variables and writes so to standard error.
     const bool mayHaveWayland = isSet("XDG_RUNTIME_DIR") || isSet("WAYLAND_SOCKET");
     if ((isSet("DISPLAY") || !mayHaveWayland) && glfwPlatformSupported(GLFW_PLATFORM_X11) == GLFW_TRUE) {
         glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);

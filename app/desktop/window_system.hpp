@@ -1,16 +1,16 @@
-// Starts GLFW in the same way for every command.
+// Starts GLFW in one way for every command.
 #pragma once
 
 namespace meltpool {
 
-/// glfwInit() with X where there is an X display, XWayland included: headsets are bound through GLX, and GLFW's own
-/// choice tries Wayland first, whose library writes to the terminal where none runs. False where no window can be
-/// opened; glfwGetError() then says why.
+/// Calls glfwInit() with X if there is an X display, XWayland included: headsets are bound through GLX. GLFW's own
+/// choice tries Wayland first, whose library writes to the terminal if none runs. Returns false if no window can open;
+/// glfwGetError() then gives the reason.
 bool startWindowSystem();
 
-/// From now on a connection to the X display that breaks does not end the program: displayLost() tells it, and what is
-/// asked of the display gives nothing. Needs an open window. Without effect where the window system is another one,
-/// whose broken connection closes the window.
+/// Keeps the program alive if the connection to the X display breaks: displayLost() reports it, and calls to the
+/// display return nothing. Needs an open window. No-op with another window system, whose broken connection closes the
+/// window.
 void surviveLostDisplay();
 bool displayLost();
 

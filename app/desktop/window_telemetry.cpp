@@ -27,7 +27,7 @@ json camera(const Controls& controls) {
             {"pitch", free.pitch()},          {"free_position", numbers(free.position())}};
 }
 
-/// Of the last step, mm in the workpiece's frame.
+/// Torch of the last step, mm in the workpiece's frame.
 json torch(const TorchSample& torch) {
     json object{{"tip_mm", numbers(torch.tip * 1000.0f)}, {"axis", numbers(torch.axis())}, {"trigger", torch.trigger}};
     if (torch.rod) object["rod_mm"] = numbers(torch.rod->tip * 1000.0f);
@@ -82,12 +82,12 @@ json headset(const HeadsetStatus& status) {
             {"places", places}};
 }
 
-/// The processor's time, ms.
+/// Processor time of the work, ms.
 json frameWork(const FrameMeter& meter, FrameWork work) {
     return {{"last", meter.lastMs(work)}, {"least", meter.leastMs(work)}, {"median", meter.medianMs(work)}};
 }
 
-/// `counted`: call counters are loaded; without them there is nothing to say about what only they see.
+/// Costs of a frame. `counted`: call counters are loaded; without them the values that only they see are left out.
 json frameCosts(const FrameMeter& meter, bool counted) {
     const FrameMeter::Totals& totals = meter.totals();
     json costs{{"frames", totals.frames},
@@ -106,7 +106,7 @@ json frameCosts(const FrameMeter& meter, bool counted) {
     return costs;
 }
 
-/// What the result panel tells first; null while nothing is judged.
+/// First lines of the result panel; null without a judgement.
 json judgement(const std::optional<JudgedAttempt>& judged) {
     if (!judged) return nullptr;
     return {{"time", judged->time},
@@ -116,7 +116,7 @@ json judgement(const std::optional<JudgedAttempt>& judged) {
             {"corrections", judged->rows.corrections}};
 }
 
-/// Null while the person is at something else.
+/// State of the demonstration; null during another activity.
 json demonstration(const Activities& activities) {
     const Demonstration& shown = activities.demonstration;
     if (!activities.at(shown)) return nullptr;
@@ -124,7 +124,7 @@ json demonstration(const Activities& activities) {
         {"time", shown.time()}, {"duration", shown.duration()}, {"playing", shown.playing()}, {"welds", shown.welds()}};
 }
 
-/// Null while the person is at something else; `same` is null before the end and where there is nothing to compare
+/// State of the replay; null during another activity. `same` is null before the end and if there is nothing to compare
 /// with.
 json replay(const Activities& activities) {
     const AttemptReplay& shown = activities.replay;
@@ -138,7 +138,7 @@ json replay(const Activities& activities) {
             {"same", same}};
 }
 
-/// Null while the weld is not cut open.
+/// State of the cut; null unless the weld is cut open.
 json cut(const CutView& shown) {
     if (!shown.shown()) return nullptr;
     json measures = json::array();
@@ -147,7 +147,7 @@ json cut(const CutView& shown) {
     return {{"place_mm", shown.place() * 1e3}, {"judged", shown.judged()}, {"measures", measures}};
 }
 
-/// What the keyboard shows on the letter keys, which are named after a US one.
+/// Letters that the keyboard shows on the letter keys, which are named after a US keyboard.
 json keyNames(const KeyNames& names) {
     json all;
     for (size_t i = 0; i < static_cast<size_t>(Key::left); ++i) {
@@ -194,7 +194,7 @@ void WindowTelemetry::write(const TelemetryRow& row) {
     meter_.resume();
 }
 
-/// Letting go of the row's JSON takes memory, too, and is over when this returns.
+/// Frees the row's JSON before it returns, since freeing takes memory too.
 void WindowTelemetry::writeLine(const TelemetryRow& row) {
     const Controls& c = row.controls;
     const json object{

@@ -1,4 +1,4 @@
-// The state of the window for tests and observers: a file with one JSON object a line, the newest last.
+// Writes the state of the window for tests and observers: a file with one JSON object a line, the newest last.
 #pragma once
 
 #include "app/activities/activities.hpp"
@@ -21,13 +21,13 @@
 
 namespace meltpool {
 
-/// Everything a row is made of; borrowed for the call.
+/// Content of a row; borrowed for the call.
 struct TelemetryRow {
     std::string page; ///< "home", "start" or "running"
     double seconds = 0;
     long long frame = 0;
     size_t steps = 0;  ///< simulation steps since the start or the last reset
-    TorchSample torch; ///< of the last step
+    TorchSample torch; ///< torch of the last step
     const Controls& controls;
     const PanelState& panels;
     const LessonFigures& figures;
@@ -35,11 +35,11 @@ struct TelemetryRow {
     const std::vector<std::string>& passes; ///< names of the timed GPU passes
     const Messages& messages;
     const ui::Context& context;
-    glm::ivec2 size{0};                         ///< window, points
-    glm::ivec2 pixels{0};                       ///< frame buffer
-    std::string screenshot;                     ///< the last picture saved
-    bool stepsBeside = false;                   ///< a thread of their own made the last frame's steps
-    const std::optional<JudgedAttempt>& judged; ///< the attempt
+    glm::ivec2 size{0};                         ///< size of the window, points
+    glm::ivec2 pixels{0};                       ///< size of the frame buffer
+    std::string screenshot;                     ///< file of the last saved picture
+    bool stepsBeside = false;                   ///< another thread made the last frame's steps
+    const std::optional<JudgedAttempt>& judged; ///< judgement of the attempt
     const Activities& activities;
     const CutView& cut;
     HeadsetStatus headset;
@@ -47,26 +47,26 @@ struct TelemetryRow {
 
 class WindowTelemetry {
   public:
-    /// Throws InputError when the file cannot be written. An empty name writes nothing.
+    /// Throws InputError if the file cannot be written. An empty name writes nothing.
     explicit WindowTelemetry(const std::filesystem::path& file);
 
     bool enabled() const { return file_.is_open(); }
-    /// Why the telemetry ended before the program, as a sentence; empty while it is whole or none is wanted.
+    /// Reason why the telemetry ended before the program, as a sentence; empty while it is complete or disabled.
     const std::string& fault() const { return fault_; }
 
-    /// Counts allocations, stalls and the driver's time too, where telemetry is wanted and call counters are loaded. To
-    /// be called once OpenGL's functions are loaded.
+    /// Counts allocations, stalls and the driver's time too, if telemetry is enabled and call counters are loaded. Call
+    /// once OpenGL's functions are loaded.
     void countCalls();
-    /// The processor's costs of a frame are those between these two calls.
+    /// Begins the processor's costs of a frame, which end at endFrame().
     void beginFrame() { meter_.begin(); }
-    /// `beside`: costs of other threads' work for the frame. `another`: the next frames are of another kind, with a
-    /// headset or without; forgets the costs of those so far.
+    /// Ends the costs of a frame. `beside`: costs of other threads' work for the frame. `another`: the next frames are
+    /// of another kind, with a headset or without; forgets the costs of the frames so far.
     void endFrame(const WorkCosts& beside, bool another);
 
-    /// True when it is time for another row: at most 20 a second. The frame's costs are then not counted until
-    /// write(), which must follow.
+    /// Returns true when another row is due: at most 20 a second. The frame's costs do not count from here to write(),
+    /// which must follow.
     bool due(double now);
-    /// Adds a row. The first that the disk does not take ends the telemetry and sets fault(); the window goes on.
+    /// Adds a row. The first row that the disk refuses ends the telemetry and sets fault(); the window continues.
     void write(const TelemetryRow& row);
 
   private:
@@ -76,8 +76,8 @@ class WindowTelemetry {
     std::ofstream file_;
     std::string fault_;
     double next_ = 0;
-    FrameMeter meter_;          ///< what the frames before a row cost
-    bool callsCounted_ = false; ///< the meter knows of allocations, stalls and the driver
+    FrameMeter meter_;          ///< costs of the frames before a row
+    bool callsCounted_ = false; ///< the meter counts allocations, stalls and the driver
 };
 
 } // namespace meltpool
