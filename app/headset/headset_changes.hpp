@@ -1,4 +1,4 @@
-// What changes around the torch between two frames: it puts the arc out and is written into the lesson's record.
+// Notices changes around the torch between two frames: they put the arc out and go into the lesson's record.
 #pragma once
 
 #include "app/headset/headset_hands.hpp"
@@ -11,23 +11,23 @@ namespace meltpool {
 
 class HeadsetChanges {
   public:
-    /// Looks whether a lesson has begun, or begun again, since the last call.
+    /// Returns true if a lesson has begun, or begun again, since the last call.
     bool lessonBegan(const LessonSession& session);
-    /// It had not run in the call before: a start, no reset.
+    /// Returns true if the lesson did not run in the call before: a start, not a reset.
     bool lessonStarted() const { return started_; }
-    /// A lesson ran at that call.
+    /// Returns true if a lesson ran at the last call of lessonBegan().
     bool lessonRuns() const { return running_; }
-    /// Compares the parameters with those of the last call; in the first frame of a lesson all of them are written.
+    /// Compares the parameters with those of the last call; in the first frame of a lesson it writes all of them.
     void takeParameters(const HeadsetParameters& parameters, float zoom, HeadsetHands& hands, LessonSession& session);
-    /// The workshop was brought before the person.
+    /// Notes that the workshop was moved to the person.
     void recentred(HeadsetHands& hands, LessonSession& session);
-    /// The headset's state in this frame.
+    /// Notes the headset's state in this frame.
     void takeConnection(bool inUse, HeadsetHands& hands, ArcOut reason, LessonSession& session);
-    /// Who leads the torch, whether it is seen and whether its trigger is locked, once hands are read.
+    /// Notes the leader of the torch, its tracking and the lock of its trigger. Call once hands are read.
     void takeTorch(const HeadsetHands& hands, LessonSession& session);
 
   private:
-    /// What is compared.
+    /// Values compared between frames.
     struct Shown {
         float zoom = 1;
         float tableHeight = 0;
@@ -35,7 +35,7 @@ class HeadsetChanges {
         int posture = 0;
     };
 
-    std::optional<Shown> shown_; ///< nothing: all of it is new to the record
+    std::optional<Shown> shown_; ///< empty: all values are new to the record
     std::optional<TorchHolder> holder_;
     bool running_ = false;
     bool started_ = false;

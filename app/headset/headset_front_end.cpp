@@ -27,7 +27,7 @@ HeadsetFrontEnd::HeadsetFrontEnd(const std::filesystem::path& folder)
       panel_(parameters_),
       view_(parameters_) {}
 
-/// Ends the headset's frame where a call on it fails or is given up; the window continues without it.
+/// Ends the headset's frame if a call on it fails or is abandoned; the window continues without it.
 void HeadsetFrontEnd::guarded(FunctionRef<void()> work) {
     try {
         work();
@@ -96,7 +96,7 @@ void HeadsetFrontEnd::readHands(LessonSession& session, const Home& home, double
     view_.update(session, hands_.torch(), elapsed);
 }
 
-/// A new judgement opens the panel; a panel that was opened so closes when the weld goes on or begins again.
+/// Opens the panel on a new judgement; a panel opened so closes when the weld continues or begins again.
 void HeadsetFrontEnd::showResult(const LessonSession& session) {
     const bool fresh = session.attempt().judged() && session.attempt().judgements() != judgements_;
     judgements_ = session.attempt().judgements();
@@ -109,8 +109,8 @@ void HeadsetFrontEnd::showResult(const LessonSession& session) {
     }
 }
 
-/// While a result is shown, the trigger of the hand without the torch asks for the next attempt, unless it points at
-/// the panel.
+/// Asks for the next attempt while a result is shown, if the trigger of the hand without the torch is pulled and does
+/// not point at the panel.
 void HeadsetFrontEnd::askAgain(const LessonSession& session, const xr::Input& input) {
     const xr::Hand other = hands_.torchHand() == xr::Hand::right ? xr::Hand::left : xr::Hand::right;
     const xr::HandInput& hand = input.hand(other);
@@ -162,7 +162,7 @@ void HeadsetFrontEnd::drawEyes(LessonSession& session, double elapsed, gl::Profi
     busy_ += std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Where head and hands are in this frame, for the recording.
+/// Records head and hands of this frame.
 void HeadsetFrontEnd::recordPerson(LessonSession& session) {
     if (!drawn_ || !inFrame_ || session.log().recordings().current() == nullptr) return;
     const auto inWorkpiece = [this](const xr::Pose& inSession) {
@@ -263,13 +263,13 @@ std::string HeadsetFrontEnd::sentence() const {
 std::string_view HeadsetFrontEnd::warning() const {
     switch (connection_.state()) {
     case xr::ConnectionState::searching:
-        // Most desks have no runtime; a file that should name one but does not is worth a word.
+        // Most desks have no runtime, so that needs no warning. A faulty file that should name one does.
         return connection_.openings() > 0 || connection_.manifestAtFault() ? std::string_view(connection_.reason())
                                                                            : std::string_view();
     case xr::ConnectionState::stalled:
         return connection_.reason();
     case xr::ConnectionState::running:
-        // At the start the runtime gives the input a few frames after the picture.
+        // The runtime enables the input a few frames after the first picture.
         if (connection_.headset()->mode() != xr::SessionMode::focused && focusedOpening_ == connection_.openings())
             return phrase("headset.not_shown");
         return view_.dazzled().empty() ? hands_.warning() : view_.dazzled();

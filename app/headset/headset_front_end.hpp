@@ -1,5 +1,5 @@
-// The headset beside the window: one object that the window's frame drives, whether a headset is there, asleep, lost or
-// in use.
+// Drives the headset in parallel with the window: one object that the window's frame calls, with a headset present,
+// asleep, lost or in use.
 #pragma once
 
 #include "app/headset/headset_changes.hpp"
@@ -21,7 +21,7 @@ namespace meltpool {
 
 class HeadsetFrontEnd final : public WindowHeadset {
   public:
-    /// Looks for a headset from the first begin() on. `folder`: where the torch's calibrations are kept.
+    /// Looks for a headset from the first begin() on. `folder`: stores the torch's calibrations.
     explicit HeadsetFrontEnd(const std::filesystem::path& folder);
 
     ParameterSection& section() override { return section_; }
@@ -69,15 +69,15 @@ class HeadsetFrontEnd final : public WindowHeadset {
     HeadsetNotice notice_;
     xr::FrameTiming timing_;
     bool inFrame_ = false;
-    int focusedOpening_ = 0;      ///< the opening in which the runtime first gave the trainer its input
-    size_t judgements_ = 0;       ///< that the panel has been opened for
-    bool openedByResult_ = false; ///< the panel
-    bool again_ = false;          ///< another attempt is asked for in this frame
-    bool otherPulled_ = false;    ///< the trigger of the hand without the torch
-    bool homeShown_ = false;      ///< the panel has been opened for the list of lessons
+    int focusedOpening_ = 0;      ///< opening in which the runtime first gave the trainer its input
+    size_t judgements_ = 0;       ///< judgements for which the panel has opened
+    bool openedByResult_ = false; ///< a result opened the panel
+    bool again_ = false;          ///< the person asks for another attempt in this frame
+    bool otherPulled_ = false;    ///< the trigger of the hand without the torch is pulled
+    bool homeShown_ = false;      ///< the panel has opened for the list of lessons
     bool drawn_ = false;          ///< the eyes hold a picture that the runtime shows
-    bool mirrored_ = false;       ///< the window shows it too
-    double busy_ = 0;             ///< s, of the last frame's begin() and draw() without waiting for the runtime
+    bool mirrored_ = false;       ///< the window shows the eyes' picture too
+    double busy_ = 0;             ///< s of the last frame's begin() and draw() without waiting for the runtime
 };
 
 } // namespace meltpool

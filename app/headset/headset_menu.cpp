@@ -18,7 +18,7 @@ ShortText figuresText(const LessonFigures& figures) {
     return text;
 }
 
-constexpr int kResult = 3; ///< the page
+constexpr int kResult = 3; ///< number of the result page
 
 bool plainButton(ui::Context& context, std::string_view name, std::string_view key, float width) {
     return ui::button(context, name, phrase(key).c_str(), ui::ButtonKind::plain, width);
@@ -49,7 +49,7 @@ HeadsetMenuAnswer HeadsetMenu::draw(const xr::Panel& panel, const PointerOnPanel
     return answer_;
 }
 
-/// The list of lessons; below it, closed, what can be set of the headset before any lesson.
+/// Draws the list of lessons; below it, closed, the headset's parameters that can be set before a lesson.
 void HeadsetMenu::homePart(ui::Context& context, LessonSession& session, const HeadsetMenuContent& content) {
     ui::strongText(context, phrase("headset.lessons"));
     if (!content.warning.empty()) ui::quietText(context, content.warning);

@@ -1,4 +1,4 @@
-// The menu on the panel in the headset: the lesson's buttons, its parameters and the headset's own.
+// Draws the menu on the panel in the headset: the lesson's buttons, its parameters and the headset's own.
 #pragma once
 
 #include "app/headset/headset_panel.hpp"
@@ -13,16 +13,16 @@
 
 namespace meltpool {
 
-/// What the menu shows of the headset; borrowed for the call.
+/// Content of the menu about the headset; borrowed for the call.
 struct HeadsetMenuContent {
     Home& home;
     const ParameterSection& section; ///< the headset's own parameters
     std::string_view warning;        ///< empty: none
-    std::string tipReport;           ///< of measuring the torch; empty: none
+    std::string tipReport;           ///< report of the torch's measuring; empty: none
     const LessonFigures& figures;
 };
 
-/// What the person asked for in this frame.
+/// Requests of the person in this frame.
 struct HeadsetMenuAnswer {
     MenuRequest request = MenuRequest::none;
     bool recentre = false;
@@ -36,7 +36,7 @@ class HeadsetMenu {
     HeadsetMenuAnswer draw(const xr::Panel& panel, const PointerOnPanel& pointer, double elapsed,
                            LessonSession& session, const HeadsetMenuContent& content);
 
-    /// Where the controls are, by name, in the panel's pixels, as last drawn.
+    /// Returns the places of the controls, by name, in the panel's pixels, as last drawn.
     std::map<std::string, ui::Place> places() const;
 
   private:
@@ -46,10 +46,10 @@ class HeadsetMenu {
     void headsetPage(ui::Context& context, const HeadsetMenuContent& content);
     void pagePart(ui::Context& context, LessonSession& session, const HeadsetMenuContent& content);
 
-    std::unique_ptr<HeadsetPanel> panel_; ///< made when it is first drawn
+    std::unique_ptr<HeadsetPanel> panel_; ///< made at the first draw
     HeadsetMenuAnswer answer_;
     int page_ = 0;
-    size_t judgements_ = 0; ///< that were shown
+    size_t judgements_ = 0; ///< number of judgements shown
 };
 
 } // namespace meltpool

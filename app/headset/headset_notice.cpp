@@ -14,10 +14,10 @@ namespace meltpool {
 namespace {
 
 constexpr size_t kMostWarnings = 3;
-constexpr size_t kLongestLine = 240; // bytes; longer messages are whole in the window
-constexpr float kLooksThere = 0.85f; // cosine: within 32 degrees of where the head points
-constexpr float kAhead = 0.6f;       // m before the eyes, where the torch is not in sight
-constexpr float kAboveBoard = 0.02f; // of the eyes' distance: from the cues' board to the notice's lower edge
+constexpr size_t kLongestLine = 240; // bytes; the window shows longer messages whole
+constexpr float kLooksThere = 0.85f; // cosine: within 32 degrees of the head's direction
+constexpr float kAhead = 0.6f;       // m before the eyes, if the torch is out of sight
+constexpr float kAboveBoard = 0.02f; // share of the eyes' distance: from the cues' board to the notice's lower edge
 constexpr double kFollowing = 0.15;  // s
 
 float heightOf(const xr::PanelShape& shape) {
@@ -36,7 +36,7 @@ void NoticeText::addLine(std::string_view line) {
 
 void NoticeText::compose(const Messages& messages, const LessonFigures& figures, float zoom) {
     length_ = 0;
-    // That the metal is slow has a line of its own, which no other warning displaces.
+    // Slow metal has a line of its own, which no other warning displaces.
     const auto warns = [](const Message& m) { return m.kind == Message::Kind::warning && m.topic != kSlowTopic; };
     auto left = static_cast<size_t>(std::count_if(messages.shown().begin(), messages.shown().end(), warns));
     for (const Message& message : messages.shown())
@@ -83,7 +83,7 @@ bool HeadsetNotice::draw(const xr::Panel& picture, int opening, double elapsed) 
     return true;
 }
 
-/// At the picture's lower edge, in a box as high as the text.
+/// Draws the text at the picture's lower edge, in a box of the text's height.
 void HeadsetNotice::drawText(ui::Context& context) const {
     ImDrawList* draw = ImGui::GetWindowDrawList();
     const ImVec2 screen = ImGui::GetIO().DisplaySize;

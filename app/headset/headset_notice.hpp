@@ -1,5 +1,4 @@
-// The notice in the headset: the window's warnings where the person looks, beside the torch, and how large the
-// workpiece is shown.
+// Shows the notice in the headset: the window's warnings near the torch in view, and the scale of the workpiece.
 #pragma once
 
 #include "app/headset/headset_panel.hpp"
@@ -14,28 +13,28 @@
 
 namespace meltpool {
 
-/// The notice's text, built in each frame without allocating.
+/// Builds the notice's text in each frame without allocating.
 class NoticeText {
   public:
-    /// The newest warnings, then that the metal is slow, then what is heard, then the zoom where it is not 1.
+    /// Lines up the newest warnings, the warning of slow metal, the caption of sounds, and the zoom unless it is 1.
     void compose(const Messages& messages, const LessonFigures& figures, float zoom);
 
-    /// All of it, a line each.
+    /// Whole text, one message a line.
     std::string_view text() const { return {text_.data(), length_}; }
-    /// The part that warns, and what is heard with the zoom's line.
+    /// Part with the warnings; quiet() is the rest: caption and zoom.
     std::string_view warnings() const { return text().substr(0, quietFrom_); }
     std::string_view quiet() const { return text().substr(quietFrom_); }
 
   private:
     void addLine(std::string_view line);
 
-    std::array<char, 1280> text_{}; ///< three warnings, the speed and the zoom fit
+    std::array<char, 1280> text_{}; ///< room for three warnings, the speed and the zoom
     size_t length_ = 0;
     size_t quietFrom_ = 0;
 };
 
-/// Where the notice hangs, in the workshop: above the torch's tip where the person looks there, else before their eyes;
-/// without a warning it lies on the table. It follows with a delay, so that a trembling hand does not blur it.
+/// Places the notice in the workshop: above the torch's tip if the person looks there, else before their eyes; without
+/// a warning on the table. It follows with a delay, so that a trembling hand does not blur it.
 class NoticePlace {
   public:
     void update(bool warns, const xr::Pose& head, const std::optional<glm::vec3>& tip, float tableHeight,
@@ -56,16 +55,16 @@ class HeadsetNotice {
     NoticeText text;
     NoticePlace place;
 
-    /// Draws the text into the picture where it has changed, or where `opening` of the headset is another one, whose
-    /// picture is empty. False: the picture is as it was.
+    /// Draws the text into the picture if it has changed, or if `opening` of the headset is a new one, whose picture is
+    /// empty. Returns false if the picture is unchanged.
     bool draw(const xr::Panel& picture, int opening, double elapsed);
 
   private:
     void drawText(ui::Context& context) const;
 
-    std::unique_ptr<HeadsetPanel> panel_; ///< made when it is first drawn
+    std::unique_ptr<HeadsetPanel> panel_; ///< made at the first draw
     NoticeText drawn_;
-    int opening_ = 0; ///< in which it was drawn
+    int opening_ = 0; ///< opening in which it was drawn
 };
 
 } // namespace meltpool

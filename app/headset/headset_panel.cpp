@@ -10,7 +10,7 @@ namespace meltpool {
 
 namespace {
 
-/// Makes a context current while it lives.
+/// Makes a context current during its lifetime.
 class Current {
   public:
     explicit Current(ImGuiContext* context) : before_(ImGui::GetCurrentContext()) { ImGui::SetCurrentContext(context); }
@@ -22,7 +22,7 @@ class Current {
     ImGuiContext* before_;
 };
 
-constexpr float kScale = 2.2f; // text that can be read at arm's length
+constexpr float kScale = 2.2f; // scale of text that is readable at arm's length
 
 } // namespace
 
@@ -72,7 +72,7 @@ void HeadsetPanel::draw(GLuint framebuffer, const PointerOnPanel& pointer, doubl
         top->AddCircleFilled(io.MousePos, 6, io.MouseDown[0] ? ui::colour::kAccent : ui::colour::kText, 24);
     }
     ImGui::Render();
-    glDisable(GL_FRAMEBUFFER_SRGB); // Dear ImGui's colours are sRGB-encoded already
+    glDisable(GL_FRAMEBUFFER_SRGB); // Dear ImGui's colours are already sRGB-encoded
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, width_, height_);
     if (ground_ == Ground::clear)

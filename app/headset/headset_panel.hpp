@@ -1,4 +1,4 @@
-// A Dear ImGui context of its own for the panel in the headset, used with a pointer.
+// Draws the panel in the headset in a Dear ImGui context of its own, used with a pointer.
 #pragma once
 
 #include "app/ui/panels.hpp"
@@ -12,16 +12,16 @@ struct ImGuiContext;
 
 namespace meltpool {
 
-/// What the pointer does on the panel in this frame.
+/// State of the pointer on the panel in this frame.
 struct PointerOnPanel {
-    std::optional<glm::vec2> place; ///< pixels from the top left corner; nothing: it points elsewhere
+    std::optional<glm::vec2> place; ///< pixels from the top left corner; empty: it points elsewhere
     bool pressed = false;
     float scroll = 0; ///< lines, up is positive
 };
 
 class HeadsetPanel {
   public:
-    /// What lies behind the content.
+    /// Background behind the content.
     enum class Ground { dark, clear };
 
     HeadsetPanel(int width, int height, Ground ground = Ground::dark);
@@ -29,11 +29,11 @@ class HeadsetPanel {
     HeadsetPanel(const HeadsetPanel&) = delete;
     HeadsetPanel& operator=(const HeadsetPanel&) = delete;
 
-    /// Draws what `content` puts into one window that fills the panel, into `framebuffer`. Dear ImGui's current context
-    /// is the window's again afterwards.
+    /// Draws `content` as one window that fills the panel, into `framebuffer`. Makes the window's Dear ImGui context
+    /// current again afterwards.
     void draw(GLuint framebuffer, const PointerOnPanel& pointer, double elapsed,
               FunctionRef<void(ui::Context&)> content);
-    /// Where the controls are, in the panel's pixels.
+    /// Context with the places of the controls, in the panel's pixels.
     const ui::Context& context() const { return context_; }
 
   private:

@@ -20,7 +20,7 @@ void PanelPointer::update(const xr::Input& input, const Workshop& workshop, cons
 }
 
 xr::Pose PanelPointer::pose() const {
-    // Beside and behind the workpiece, away from the torch's hand, turned to where the person stands.
+    // Places the panel next to and behind the workpiece, away from the torch's hand, turned to the person's place.
     const float side = torchHand_ == xr::Hand::right ? -1.0f : 1.0f;
     return {glm::angleAxis(-side * 0.48f, glm::vec3(0, 1, 0)) * glm::angleAxis(-0.2f, glm::vec3(1, 0, 0)),
             {side * 0.42f, parameters_.tableHeight + 0.45f, -0.35f}};

@@ -1,4 +1,4 @@
-// The panel in the workshop: whether it is open, where it hangs, and which hand points at it.
+// Opens, closes and places the panel in the workshop, and chooses the hand that points at it.
 #pragma once
 
 #include "app/headset/headset_panel.hpp"
@@ -20,15 +20,15 @@ class PanelPointer {
     void update(const xr::Input& input, const Workshop& workshop, const xr::PanelShape& shape, xr::Hand torchHand);
 
     bool open() const { return open_; }
-    /// Something on the panel must be answered or read.
+    /// Opens the panel because something on it must be answered or read.
     void show() { open_ = true; }
     void hide() { open_ = false; }
-    /// Of the panel, in the workshop.
+    /// Pose of the panel in the workshop.
     xr::Pose pose() const;
     const PointerOnPanel& pointer() const { return pointer_; }
-    /// The hand that points at the panel now; nothing: none does.
+    /// Hand that points at the panel now; empty: none.
     std::optional<xr::Hand> pointingHand() const;
-    /// The pointer's ray in the workshop, from the hand to the panel. Only while a hand points at it.
+    /// Pointer's ray in the workshop, from the hand to the panel. Valid only while a hand points at it.
     const glm::vec3& rayStart() const { return ray_.position; }
     const glm::vec3& rayEnd() const { return rayEnd_; }
 
@@ -37,10 +37,10 @@ class PanelPointer {
 
     const HeadsetParameters& parameters_;
     xr::Hand torchHand_ = xr::Hand::right;
-    xr::Hand hand_ = xr::Hand::right; ///< opened the panel, or pulled its trigger at it last
+    xr::Hand hand_ = xr::Hand::right; ///< hand that opened the panel, or last pulled its trigger at it
     bool open_ = false;
     PointerOnPanel pointer_;
-    xr::Pose ray_; ///< of the pointing hand, in the workshop
+    xr::Pose ray_; ///< ray of the pointing hand, in the workshop
     glm::vec3 rayEnd_{0.0f};
 };
 

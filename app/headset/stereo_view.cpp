@@ -45,7 +45,7 @@ void StereoView::takeHands(const HeadsetHands& hands, const PanelPointer& panel)
     }
 }
 
-/// Turns the cut workpiece to the person, with measures that can be read at arm's length.
+/// Turns the cut workpiece to the person, with dimensions that are readable at arm's length.
 void StereoView::standCut(LessonSession& session, SceneView& scene) const {
     constexpr float kFigure = 9e-3f; // m in the room
     const MarkLayout upright = uprightLayout(session.picture().fixture().up(), kFigure);
@@ -58,7 +58,7 @@ void StereoView::standCut(LessonSession& session, SceneView& scene) const {
     scene.section.strokes = session.picture().cut().strokes(layout);
 }
 
-/// A weld without an arc needs no visor.
+/// Puts the visor on; a weld without an arc needs none.
 void StereoView::wearVisor(const LessonSession& session, SceneView& scene, const View& between, LookParameters& look) {
     if (!scene.temperature.kelvin) return visor_.wear(parameters_, false, look);
     if (!isArcWelding(session.lesson().process)) return;
@@ -68,7 +68,7 @@ void StereoView::wearVisor(const LessonSession& session, SceneView& scene, const
     scene.afterImage = visor_.afterImage(parameters_);
 }
 
-/// Torch and hands of the process, table, machine and holders, in a room with depth.
+/// Adds torch and hands of the process, table, machine and holders, in a room with depth.
 void StereoView::furnish(LessonSession& session, const SceneView& lesson) {
     hands_.process = &session.lesson().process;
     hands_.extension = session.run().arc().extension;
@@ -91,7 +91,7 @@ void StereoView::draw(LessonSession& session, const SceneView& lesson, const Wor
     hands_.tools = demonstrated ? lesson.solids : lesson.solids.last(lesson.rodSolids);
     hands_.toolsToWorkshop = place.modelToWorkshop(kClassicUnit);
     LookParameters look = session.picture().look();
-    const bool fine = has(look, Measure::room) && lesson.room.shown; // weld lessons have a room
+    const bool fine = has(look, Measure::room) && lesson.room.shown; // only weld lessons have a room
     if (fine) furnish(session, lesson);
     scene.solids = scene_.build(parameters_, hands_);
     scene.tableShown = true;
@@ -99,10 +99,10 @@ void StereoView::draw(LessonSession& session, const SceneView& lesson, const Wor
     scene.furniture = scene_.furniture();
     scene.room.shown = lesson.room.shown && look.showSky;
     scene.room.toWorld = glm::translate(glm::mat4(1.0f), {0, -float(WORKSHOP_FLOOR), 0});
-    scene.source.shown &= demonstrated; // else the drawn torch takes its place
+    scene.source.shown &= demonstrated; // the drawn torch replaces the source otherwise
     if (session.picture().cut().shown()) standCut(session, scene);
     look.showBox = false;
-    View between = viewOf(workshop, eyes.views[0], eyes); // cues stand at one place for both eyes
+    View between = viewOf(workshop, eyes.views[0], eyes); // cues have one place for both eyes
     between.eye = (between.eye + viewOf(workshop, eyes.views[1], eyes).eye) * 0.5f;
     wearVisor(session, scene, between, look);
     Renderer& renderer = session.picture().renderer();

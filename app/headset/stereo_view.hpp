@@ -1,4 +1,4 @@
-// What both eyes see: the lesson's metal on the table, the workshop around it, and the visor before it.
+// Draws the view of both eyes: the lesson's metal on the table, the workshop around it, and the visor before it.
 #pragma once
 
 #include "app/headset/headset_hands.hpp"
@@ -15,7 +15,7 @@ class StereoView {
     explicit StereoView(const HeadsetParameters& parameters) : parameters_(parameters) {}
 
     /// Darkens the visor of the classic lesson with the heat of the torch, the hand's or that of a demonstration or
-    /// replay; that of a weld sees the arc when it is drawn. `elapsed`: real seconds since the last frame.
+    /// replay; the visor of a weld sees the arc when it is drawn. `elapsed`: real seconds since the last frame.
     void update(const LessonSession& session, const TrackedTorch& torch, double elapsed) {
         const float trigger = session.leader() == TorchLeader::path ? session.run().torch().trigger : torch.trigger();
         visor_.update(trigger > 0, elapsed);
@@ -24,9 +24,9 @@ class StereoView {
     /// See WornVisor::sentence().
     std::string_view dazzled() const { return visor_.sentence(parameters_); }
 
-    /// Sets what draw() shows besides the metal.
+    /// Sets the contents of draw() other than the metal.
     void takeHands(const HeadsetHands& hands, const PanelPointer& panel);
-    /// Draws both eyes. `lesson` is the lesson's scene of this frame, `place` where its workpiece lies.
+    /// Draws both eyes. `lesson`: the lesson's scene of this frame; `place`: the place of its workpiece.
     void draw(LessonSession& session, const SceneView& lesson, const WorkpiecePlace& place, const Workshop& workshop,
               const xr::BothEyes& eyes, gl::Profiler* profiler);
 

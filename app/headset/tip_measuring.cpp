@@ -14,9 +14,9 @@ namespace {
 
 constexpr double kPivotSeconds = 12;
 constexpr double kAxisSeconds = 3;
-constexpr double kGettingReady = 5;  ///< s before the first pose counts, to bring the torch into place
-constexpr size_t kWishedPoses = 120; ///< measuring goes on until there are so many ...
-constexpr double kLongest = 35;      ///< ... for this long at most, s
+constexpr double kGettingReady = 5;  ///< s before the first pose counts: time to bring the torch into place
+constexpr size_t kWishedPoses = 120; ///< measuring ends at this number of poses ...
+constexpr double kLongest = 35;      ///< ... or after this time, s
 
 PhraseNumber decimals(float value, int digits) {
     return PhraseNumber(static_cast<double>(value), digits);

@@ -1,4 +1,4 @@
-// Measures the position of the tip and the direction of the torch in the hand, and keeps them in a file.
+// Measures the position of the tip and the direction of the torch in the hand, and stores them in a file.
 #pragma once
 
 #include "xr/input.hpp"
@@ -11,15 +11,15 @@
 
 namespace meltpool {
 
-/// A calibration and the file it lives in.
+/// Holds a calibration and its file.
 class CalibrationFile {
   public:
-    /// Read where the file exists. Throws InputError for a broken one.
+    /// Reads the file if it exists. Throws InputError for a broken one.
     explicit CalibrationFile(std::filesystem::path file);
 
     const xr::TipCalibration& tip() const { return tip_; }
-    /// Uses `tip` from now on and writes the file; the place or the direction that was not measured anew stays as the
-    /// file has it by now, which another program may have measured. Answers what failed with the file; empty: nothing.
+    /// Uses `tip` from now on and writes the file. The unmeasured place or direction is the file's current one, which
+    /// another program may have measured. Returns the fault of the file; empty: none.
     std::string keep(const xr::TipCalibration& tip);
 
   private:
@@ -30,20 +30,20 @@ class CalibrationFile {
 class TipMeasuring {
   public:
     enum class Task {
-        pivot, ///< the tip rests in a dent while the torch is swung about it: its place
-        axis,  ///< the torch stands upright, its tip down: its direction
+        pivot, ///< place of the tip: it rests in a dent while the torch swings about it
+        axis,  ///< direction of the torch: it is upright, its tip down
     };
 
     void begin(Task task);
     bool underWay() const { return left_ > 0; }
 
-    /// Takes the pose of a frame. When the time is over, answers the calibration `now` with the measured part replaced;
-    /// nothing before that, and where the measurement was refused. `elapsed`: real seconds since the last frame.
+    /// Takes the pose of a frame. When the time is over, returns the calibration `now` with the measured part replaced;
+    /// empty before that, and if the measurement was refused. `elapsed`: real seconds since the last frame.
     std::optional<xr::TipCalibration> gather(const xr::HandInput& torch, const xr::TipCalibration& now, double elapsed);
-    /// Adds to the report that the file could not be written; an empty `fault` adds nothing.
+    /// Adds the fault of writing the file to the report; an empty `fault` adds nothing.
     void kept(const std::string& fault);
 
-    /// What to do and for how long, then what was found, as a sentence for the person.
+    /// Sentence for the person: task and remaining time, then the result.
     std::string report() const;
 
   private:

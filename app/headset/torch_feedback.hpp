@@ -1,4 +1,4 @@
-// The vibration of the torch in the hand: what happens at its tip, and which device plays it.
+// Plays the vibration of the torch in the hand: chooses the events at its tip and the device.
 #pragma once
 
 #include "app/headset/headset_hands.hpp"
@@ -15,10 +15,10 @@ class TorchFeedback {
     /// Takes the lesson's newest knowledge of the metal at the tip of the torch. `strength`: factor on the amplitude.
     /// `elapsed`: real seconds since the last frame.
     void update(const LessonSession& session, const TrackedTorch& torch, float strength, double elapsed);
-    /// Has the controller or tracker that holds the torch vibrate; the one that held it before falls silent.
+    /// Vibrates the controller or tracker that holds the torch; silences the one that held it before.
     void play(xr::Headset& headset, const HeadsetHands& hands);
 
-    /// For the telemetry; `pulses`: how many vibrations the runtime has been sent.
+    /// Returns the state for the telemetry; `pulses`: number of vibrations sent to the runtime.
     TipStatus status(unsigned pulses) const;
 
   private:
@@ -29,8 +29,8 @@ class TorchFeedback {
     TipTouch touch_;
     TipFeel feel_;
     Vibration vibration_;
-    TorchHolder holder_ = TorchHolder::hand; ///< vibrated last
-    xr::Hand hand_ = xr::Hand::right;        ///< vibrated last
+    TorchHolder holder_ = TorchHolder::hand; ///< holder that vibrated last
+    xr::Hand hand_ = xr::Hand::right;        ///< hand that vibrated last
 };
 
 } // namespace meltpool

@@ -9,7 +9,7 @@ namespace meltpool {
 void TorchSelector::choose(bool wanted, std::span<const xr::TrackerInput> trackers, double elapsed) {
     wanted_ = wanted;
     const size_t before = tracker_;
-    // The tracker in use is kept as long as it is tracked.
+    // The tracker in use stays chosen as long as it is tracked.
     if (tracker_ >= trackers.size() || !trackers[tracker_].tracked)
         for (size_t i = trackers.size(); i-- > 0;)
             if (trackers[i].tracked) tracker_ = i;

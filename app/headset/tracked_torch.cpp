@@ -6,7 +6,7 @@ namespace meltpool {
 
 namespace {
 
-/// Frames that come in bursts are no faster than a display shows them, s.
+/// Shortest frame, s: frames in bursts are no faster than a display shows them.
 constexpr double kShortestFrame = 1.0 / 90;
 
 } // namespace
@@ -27,7 +27,7 @@ void TrackedTorch::update(const xr::HandInput& hand, const xr::TipCalibration& c
     const float way = glm::distance(now_.position, before_.position);
     const bool jumps = way > kFastestHand * static_cast<float>(std::max(elapsed, kShortestFrame));
     if (continues && jumps && pulled) putOut(ArcOut::tipJumped);
-    // A torch that is tracked again starts at its new place; it does not travel there from where it was lost.
+    // A torch that is tracked again starts at its new place; it does not travel there from the place of its loss.
     if (!continues || jumps || jumped_) before_ = now_;
     if (elapsed > 0) velocity_ = (now_.position - before_.position) / static_cast<float>(elapsed);
 }

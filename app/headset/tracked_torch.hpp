@@ -13,39 +13,39 @@ namespace meltpool {
 
 class TrackedTorch {
   public:
-    /// m/s of the tip in the workshop. Welding hands move at up to 0.2 m/s, fast reaching ones peak at 3 m/s; what is
-    /// faster is an error of the tracking or a flick, and no weld follows it.
+    /// Fastest tip in the workshop, m/s. Welding hands move at up to 0.2 m/s, fast reaching ones peak at 3 m/s; a
+    /// faster one is an error of the tracking or a flick, and no weld follows it.
     static constexpr float kFastestHand = 4.0f;
 
     /// Takes the frame's pose and trigger. While it is not tracked the trigger is 0 and the torch stays at its last
-    /// known pose. A tip that is faster than kFastestHand is at its new place without a way to it. Losing the torch and
-    /// such a jump with the trigger pulled put the arc out. `elapsed`: real seconds since the last frame.
+    /// known pose. A tip that is faster than kFastestHand is at its new place without a path to it. The loss of the
+    /// torch, and such a jump with the trigger pulled, put the arc out. `elapsed`: real seconds since the last frame.
     void update(const xr::HandInput& hand, const xr::TipCalibration& calibration, const Workshop& workshop,
                 double elapsed);
-    /// The pose is no longer known, as in a frame that is not tracked.
+    /// Loses the pose, as in a frame without tracking.
     void lose(ArcOut reason);
-    /// The arc is out until the trigger has been let go while the torch is tracked. What happened may have moved the
-    /// torch in the workpiece's frame, so no sample lies between its old and its new place.
+    /// Puts the arc out until the trigger is released while the torch is tracked. The cause may have moved the torch in
+    /// the workpiece's frame, so no sample is made between its old and its new place.
     void putOut(ArcOut reason);
-    /// There is no last sample: a lesson begins.
+    /// Forgets the last sample when a lesson begins.
     void forgetSample() { last_.reset(); }
 
     bool tracked() const { return tracked_; }
-    /// It was tracked at least once.
+    /// Returns true if it was tracked at least once.
     bool known() const { return known_; }
-    /// The tip in the workshop, for drawing.
+    /// Tip in the workshop, for drawing.
     const xr::Pose& tip() const { return now_; }
-    /// The grip in the workshop.
+    /// Grip in the workshop.
     const xr::Pose& grip() const { return grip_; }
     float trigger() const { return tracked_ && !lock_.locked() ? trigger_ : 0.0f; }
     const TriggerLock& triggerLock() const { return lock_; }
-    /// m/s, in the workshop.
+    /// Velocity in the workshop, m/s.
     const glm::vec3& velocity() const { return velocity_; }
 
-    /// The torch in the workpiece's frame as it is now. The caller sets the sample's time.
+    /// Current torch in the workpiece's frame. The caller sets the sample's time.
     TorchSample sample(const WorkpiecePlace& place) const;
-    /// The torch for step `step` (from 0) of this frame's `steps`: poses at equal intervals between the last frame's
-    /// pose and this one's. The first one after putOut() is the last one before it with the trigger let go, so that the
+    /// Torch for step `step` (from 0) of this frame's `steps`: poses at equal intervals between the last frame's pose
+    /// and this one's. The first one after putOut() is the last one before it with the trigger released, so that the
     /// arc is out before the torch is elsewhere.
     TorchSample next(const WorkpiecePlace& place, int step, int steps);
 
@@ -56,12 +56,12 @@ class TrackedTorch {
     xr::Pose now_;
     xr::Pose grip_;
     TriggerLock lock_;
-    std::optional<TorchSample> last_; ///< of the last step
+    std::optional<TorchSample> last_; ///< torch of the last step
     float trigger_ = 0;
     glm::vec3 velocity_{0.0f};
     bool tracked_ = false;
     bool known_ = false;
-    bool jumped_ = false; ///< the next sample follows upon no other
+    bool jumped_ = false; ///< the next sample has no predecessor
 };
 
 } // namespace meltpool

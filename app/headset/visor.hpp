@@ -1,4 +1,5 @@
-// The welder's visor in the headset, with the eye behind it: dark while the arc burns, clear again a moment later.
+// Models the welder's visor in the headset, with the eye behind it: dark while the arc burns, clear again a moment
+// later.
 #pragma once
 
 #include "app/headset/headset_parameters.hpp"
@@ -13,10 +14,10 @@ class Visor {
   public:
     static constexpr double kHold = VisorFilter::kHold, kClearing = VisorFilter::kClearing;
 
-    /// Heat of a source that gives no light of its own, in the classic lesson. `elapsed`: real seconds since the last
-    /// frame.
+    /// Takes the heat of a source that gives no light of its own, in the classic lesson. `elapsed`: real seconds since
+    /// the last frame.
     void update(bool heat, double elapsed) { heat_.update(heat, elapsed, {}); }
-    /// The arc of a weld. `look`: the lesson's.
+    /// Takes the arc of a weld. `look`: the lesson's.
     void update(const HeadsetParameters& parameters, const SeenArc& arc, const LookParameters& look, double elapsed) {
         worn_.update(arc, settingsOf(parameters), look, elapsed);
     }
@@ -27,7 +28,7 @@ class Visor {
 
     /// 1 dark .. 0 clear.
     float darkness(const HeadsetParameters& parameters) const { return parameters.visor ? heat_.darkness() : 0; }
-    /// What an arc has left in the eye; nothing where it does not adapt.
+    /// After-image of an arc in the eye; empty if the eye does not adapt.
     AfterImage afterImage(const HeadsetParameters& parameters) const {
         return parameters.adaptation ? worn_.eye().afterImage() : AfterImage{};
     }
@@ -38,7 +39,7 @@ class Visor {
 
   private:
     static VisorSettings settingsOf(const HeadsetParameters& parameters) {
-        // A light shade of 0 is a clear pane, which no filter is; the least one passes almost all.
+        // A light shade of 0 is a clear pane, which is no filter; the lowest filter passes almost all light.
         return {parameters.visor ? parameters.visorShade : 0, std::max(parameters.visorLightShade, 1.0f),
                 parameters.visorSwitching};
     }

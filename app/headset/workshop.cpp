@@ -8,7 +8,8 @@ namespace meltpool {
 
 namespace {
 
-/// The turn about the vertical that makes -Z look where `orientation` does; straight up or down, where its top points.
+/// Turn about the vertical that brings -Z to the direction of `orientation`; for straight up or down, to the direction
+/// of its top.
 float yawOf(const glm::quat& orientation) {
     glm::vec3 forward = orientation * glm::vec3(0, 0, -1);
     if (std::abs(forward.y) > 0.99f) forward = orientation * glm::vec3(0, forward.y > 0 ? -1 : 1, 0);
@@ -19,7 +20,7 @@ float yawOf(const glm::quat& orientation) {
 
 void Workshop::recentre(const xr::Pose& head, const HeadsetParameters& parameters, bool floorKnown) {
     const glm::quat back = glm::angleAxis(-yawOf(head.orientation), glm::vec3(0, 1, 0));
-    glm::vec3 eyes(0, head.position.y, kReach); // where the head shall be in the workshop
+    glm::vec3 eyes(0, head.position.y, kReach); // wanted place of the head in the workshop
     if (parameters.posture == HeadsetParameters::kSeated || !floorKnown) eyes.y = parameters.tableHeight + kSeatedDrop;
     sessionToWorkshop_ = {back, eyes - back * head.position};
     recentreRequested_ = false;

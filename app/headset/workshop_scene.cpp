@@ -53,14 +53,14 @@ void WorkshopScene::addRoom(float tableHeight) {
 }
 
 void WorkshopScene::addTorch(const HandsView& hands) {
-    const xr::Pose& tip = hands.tip; // its +z points from the tip back along the torch
+    const xr::Pose& tip = hands.tip; // +z of the tip points back along the torch
     const auto along = [&](float z, float y) { return tip * glm::vec3(0, y, z); };
     add(SolidShape::cone, alongLine(along(0.012f, 0), along(0.0f, 0), 0.006f), kTorchCopper, 0.7f);
     add(SolidShape::cylinder, alongLine(along(0.05f, 0), along(0.012f, 0), 0.016f), kBrass, 0.6f);
     add(SolidShape::cylinder, alongLine(along(0.085f, 0.012f), along(0.045f, 0), 0.013f), kDarkSteel, 0.4f);
     const glm::vec3 neck = along(0.083f, 0.012f);
     add(SolidShape::sphere, boxAt(neck, glm::vec3(0.016f)), kDarkSteel, 0.4f);
-    // The handle runs from the neck through the hand, wherever the calibration puts it.
+    // The handle runs from the neck through the hand, for any calibration.
     const glm::vec3 hand = hands.grip.position;
     const glm::vec3 way =
         glm::length(hand - neck) > 0.01f ? glm::normalize(hand - neck) : tip.orientation * glm::vec3(0, 0, 1);
@@ -74,12 +74,12 @@ void WorkshopScene::addGlow(const HandsView& hands) {
             hands.arcGlow.value_or(kHeatGlow * hands.heat));
 }
 
-/// The process's own torch, whose handle runs through the hand, wherever the calibration puts that.
+/// Adds the process's own torch, whose handle runs through the hand, for any calibration.
 void WorkshopScene::addProcessTorch(const HeadsetParameters& parameters, const HandsView& hands) {
     TorchSample sample;
     sample.tip = hands.tip.position;
     sample.orientation = hands.tip.orientation;
-    ArcState arc; // out: the light is at the tip, as large as life, however large the workpiece is shown
+    ArcState arc; // out: the light is at the tip, in real size, for any zoom of the workpiece
     arc.extension = hands.extension;
     buildTorchModel(torch_, sample, *hands.process, arc, glm::mat4(1.0f));
     solids_.insert(solids_.end(), torch_.begin(), torch_.end());
@@ -89,7 +89,7 @@ void WorkshopScene::addProcessTorch(const HeadsetParameters& parameters, const H
     buildTorchFittings(fittings_, sample, *hands.process, around, glm::mat4(1.0f));
 }
 
-/// The table and the machine are made again only when they change.
+/// Table and machine are made again only when they change.
 void WorkshopScene::furnish(const HeadsetParameters& parameters, const HandsView& hands) {
     const FurnitureKey key{parameters.tableHeight, hands.process->kind, equipmentOf(*hands.process).displays};
     if (furnished_ != key) {
@@ -123,7 +123,7 @@ std::span<const Solid> WorkshopScene::build(const HeadsetParameters& parameters,
     }
     if (hands.rod && hands.process != nullptr) {
         const glm::vec3 along = hands.rod->orientation * glm::vec3(0, 0, 1);
-        const glm::vec3 palm = hands.rod->orientation * glm::vec3(-1, 0, 0); // of a left hand that is held out
+        const glm::vec3 palm = hands.rod->orientation * glm::vec3(-1, 0, 0); // palm of a left hand that is held out
         addGlovedHand(fittings_, {hands.rod->position, along, palm, along, 0.004f}, glm::mat4(1.0f));
     }
     for (Solid fitting : hands.toolFittings) {

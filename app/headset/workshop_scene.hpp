@@ -1,4 +1,4 @@
-// What the headset shows besides the metal: floor, table, torch and pointer, as simple solids.
+// Builds the headset's picture apart from the metal: floor, table, torch and pointer, as simple solids.
 #pragma once
 
 #include "app/headset/tracked_torch.hpp"
@@ -12,40 +12,41 @@
 
 namespace meltpool {
 
-/// What the hands hold in this frame, in the workshop.
+/// Tools in the hands in this frame, in the workshop.
 struct HandsView {
     bool torch = false;
     xr::Pose tip;
     xr::Pose grip;
-    float heat = 0;                        ///< 0..1: how bright the tip glows
-    std::optional<glm::vec3> arcGlow = {}; ///< light of its arc; none: a small glow that follows the heat
-    std::optional<glm::vec3> rayStart;     ///< of the pointer
+    float heat = 0;                        ///< 0..1: brightness of the tip's glow
+    std::optional<glm::vec3> arcGlow = {}; ///< light of the torch's arc; none: a small glow that follows the heat
+    std::optional<glm::vec3> rayStart;     ///< start of the pointer's ray
     glm::vec3 rayEnd{0.0f};
     std::span<const Solid> tools;    ///< the demonstration's torch, or the filler rod, in the lesson's world
-    glm::mat4 toolsToWorkshop{1.0f}; ///< of that world
-    /// What the torch in the hand is for; null: a plain one, on a plain table.
+    glm::mat4 toolsToWorkshop{1.0f}; ///< transform from the lesson's world
+    /// Process of the torch in the hand; null: a plain torch, on a plain table.
     const ProcessSettings* process = nullptr;
-    float extension = 0;                 ///< m, of its wire or electrode, see ArcState; 0: as it is set
+    float extension = 0;                 ///< m, of the wire or electrode, see ArcState; 0: the set length
     std::optional<xr::Pose> rod;         ///< grip of the hand that holds the filler rod
-    std::span<const Solid> toolFittings; ///< of `tools`, instead of those of the hands; in the lesson's world
-    std::span<const Solid> holders;      ///< what holds the workpiece, likewise
+    std::span<const Solid> toolFittings; ///< fittings of `tools`, instead of the hands' own; in the lesson's world
+    std::span<const Solid> holders;      ///< holders of the workpiece, in the lesson's world
 };
 
 class WorkshopScene {
   public:
-    /// How far a filler rod reaches out of the hand, m.
+    /// Length of a filler rod out of the hand, m.
     static constexpr float kRodReach = 0.30f;
 
     WorkshopScene();
-    /// The solids of this frame, in the workshop, m; valid until the next call. Allocates nothing after the first.
+    /// Builds the solids of this frame, in the workshop, m; valid until the next call. Allocates nothing after the
+    /// first.
     std::span<const Solid> build(const HeadsetParameters& parameters, const HandsView& hands);
-    /// The finer solids of torch and hands of the last build(), see SceneView::fittings.
+    /// Finer solids of torch and hands of the last build(), see SceneView::fittings.
     std::span<const Solid> fittings() const { return fittings_; }
-    /// Table, machine and what holds the workpiece, of the last build() for a process; see SceneView::furniture.
+    /// Table, machine and holders of the workpiece, of the last build() for a process; see SceneView::furniture.
     std::span<const Solid> furniture() const { return furniture_; }
 
   private:
-    /// What table and machine follow from.
+    /// Values that table and machine depend on.
     struct FurnitureKey {
         float tableHeight = 0;
         int process = 0;
@@ -66,7 +67,7 @@ class WorkshopScene {
     std::vector<Solid> furniture_;
     std::vector<Solid> torch_;
     std::optional<FurnitureKey> furnished_;
-    size_t standing_ = 0; ///< how many of the furniture are table and machine
+    size_t standing_ = 0; ///< number of furniture solids that are table and machine
 };
 
 } // namespace meltpool
