@@ -1,4 +1,4 @@
-// The list of the attempts that were kept, with what can be done with each.
+// Draws the list of saved attempts, with the buttons of each.
 #include "app/ui/panels.hpp"
 #include "core/base/words.hpp"
 
@@ -11,10 +11,10 @@ namespace {
 
 constexpr float kButtonsWidth = 60 + 66 + 84 + 4 * 6; ///< points, with their gaps
 
-/// Title and what is known of the attempt, one above the other, cut where the buttons begin.
+/// Draws the attempt's title and facts, one above the other, cut off at the buttons.
 void entryText(Context& context, const Home& home, const ReplayEntry& entry, float height) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
-    // In a narrow window the buttons are below the text.
+    // A narrow window has the buttons below the text.
     const bool beside = ImGui::GetContentRegionAvail().x > context.points(2 * kButtonsWidth);
     const float width = ImGui::GetContentRegionAvail().x - (beside ? context.points(kButtonsWidth) : 0);
     const ImVec2 high{low.x + width, low.y + height};
@@ -32,7 +32,7 @@ void entryText(Context& context, const Home& home, const ReplayEntry& entry, flo
     if (beside) ImGui::SameLine(0, context.points(6));
 }
 
-/// "home.attempt.3.play"
+/// Makes a name such as "home.attempt.3.play".
 ShortText nameOf(size_t index, const char* what) {
     char name[60];
     std::snprintf(name, sizeof name, "home.attempt.%zu.%s", index, what);

@@ -1,4 +1,4 @@
-// The bars at the top and bottom of the running trainer, the messages above them and the colour scale.
+// Draws the bars at the top and bottom of the running trainer, the messages above them and the colour scale.
 #include "app/ui/panels.hpp"
 #include "core/base/function_ref.hpp"
 #include "core/base/words.hpp"
@@ -28,15 +28,15 @@ void beginBar(Context& context, const char* name, float y) {
     ImGui::PopStyleVar(3);
 }
 
-/// Who works, and whether anything moves.
+/// Name of the mode: the person at work, and the state of the metal.
 struct ModeName {
-    std::string_view key; ///< of its words
+    std::string_view key; ///< key of its phrase
     ImU32 tint;
 };
 
 ModeName modeOf(const Controls& controls, const LessonSession& session) {
     if (session.picture().cut().shown()) return {"bar.mode.cut_open", colour::kCold};
-    // A demonstration goes on while the person looks around.
+    // A demonstration continues while the person looks around.
     const Activities& activities = session.activities();
     if (activities.at(activities.demonstration)) return {"bar.mode.demonstration", colour::kCold};
     if (activities.at(activities.replay)) return {"bar.mode.replay", colour::kCold};
@@ -44,7 +44,7 @@ ModeName modeOf(const Controls& controls, const LessonSession& session) {
     return {"bar.mode.looking", colour::kCold};
 }
 
-/// A rounded label in the middle of the bar.
+/// Draws a rounded label in the middle of the bar.
 void modeSign(Context& context, const ModeName& mode, float left, float right) {
     const char* const text = phrase(mode.key).c_str();
     ImDrawList* draw = ImGui::GetWindowDrawList();
@@ -53,7 +53,7 @@ void modeSign(Context& context, const ModeName& mode, float left, float right) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float y = (barHeight(context) - size.y) / 2;
     const float dot = context.points(4.5f);
-    // In the window's middle, or pushed aside by the buttons; in a very small window only the dot is left.
+    // The sign is in the window's middle, or moved by the buttons; a very small window shows only the dot.
     const float x = std::clamp((screen.x - size.x) / 2, left + 4 * dot, std::max(left + 4 * dot, right - size.x - dot));
     const bool fits = x + size.x < right;
     draw->AddCircleFilled({x - dot * 3, y + size.y / 2}, dot, mode.tint, 16);
@@ -61,7 +61,7 @@ void modeSign(Context& context, const ModeName& mode, float left, float right) {
     ImGui::PopFont();
 }
 
-/// How the torch is held: "CTWD 15.0 mm, work 0°, travel +10°".
+/// Describes the torch's pose: "CTWD 15.0 mm, work 0°, travel +10°".
 ShortText torchText(const LessonFigures& f) {
     constexpr double kDegrees = 180 / std::numbers::pi;
     ShortText text;
@@ -83,7 +83,7 @@ ShortText metalText(const LessonFigures& f) {
     return text;
 }
 
-/// Of the metal, or of the torch where it is led along a seam.
+/// Describes the metal, or the torch if it is led along a seam.
 ShortText figuresText(const LessonFigures& f) {
     ShortText all = f.torch && !f.stopped ? torchText(f) : metalText(f);
     const std::string_view pace = f.stopped ? std::string_view(phrase("bar.figures.stopped")) : f.slow;
@@ -95,7 +95,7 @@ ShortText figuresText(const LessonFigures& f) {
     return all;
 }
 
-/// A key's name in a small frame, and what it does.
+/// Draws a key's name in a small frame, and its effect.
 void keyHint(Context& context, const char* key, const char* what) {
     ImDrawList* draw = ImGui::GetWindowDrawList();
     const ImVec2 size = ImGui::CalcTextSize(key);
@@ -114,15 +114,15 @@ void keyHint(Context& context, const char* key, const char* what) {
 
 struct Hint {
     ShortText key;
-    std::string_view what; ///< the key of its words
+    std::string_view what; ///< key of its phrase
 };
 
-/// "W A S D" of the keyboard that is there.
+/// Names the flying keys of the current keyboard: "W A S D".
 ShortText flyingKeys(const Context& context) {
     return {context.key(Key::w), " ", context.key(Key::a), " ", context.key(Key::s), " ", context.key(Key::d)};
 }
 
-/// The hints of what the person does now, in order of weight; gives them to `draw`.
+/// Gives the hints for the person's current activity to `draw`, in order of weight.
 void giveHints(const Context& context, const Controls& controls, bool torch, FunctionRef<bool(const Hint&)> draw) {
     const ShortText look = context.key(Key::v), capture = context.key(Key::c);
     const ShortText left(phrase("bar.key.left_button")), right(phrase("bar.key.right_button"));
@@ -158,11 +158,11 @@ void giveHints(const Context& context, const Controls& controls, bool torch, Fun
              {"F1", "bar.hint.help"}});
 }
 
-constexpr float kWholeBar = 740;    ///< points in which every button of the bar has room
+constexpr float kWholeBar = 740;    ///< points at which every button of the bar has room
 constexpr float kCommandWidth = 72; ///< points
 
-/// What opens and closes the panels: beside each other, or each in a row of its own where it has a width (points). True
-/// when one was pressed.
+/// Draws the buttons that open and close the panels: in a row, or each in a row of its own if it has a width (points).
+/// Returns true if one was pressed.
 bool barTabs(Context& context, PanelState& panels, const LessonSession& session, float width) {
     bool pressed = false;
     const auto tab = [&](const char* name, const char* text, bool& open, const char* note) {
@@ -189,7 +189,7 @@ bool resetButton(Context& context, float width) {
                   phrase("bar.tooltip.reset").c_str());
 }
 
-/// The ways out of the running lesson.
+/// Draws the buttons that leave the running lesson.
 MenuRequest wayButtons(Context& context, float width, bool beside = true) {
     MenuRequest request = MenuRequest::none;
     if (button(context, "bar.restart", phrase("bar.button.restart").c_str(), ButtonKind::plain, width,
@@ -203,7 +203,7 @@ MenuRequest wayButtons(Context& context, float width, bool beside = true) {
     return request;
 }
 
-/// The buttons that a narrow bar has no room for, one below the other under a button of its own.
+/// Draws the buttons for which a narrow bar has no room, one below the other under a button of their own.
 MenuRequest barMenu(Context& context, PanelState& panels, const LessonSession& session) {
     constexpr float kWidth = 150;
     MenuRequest request = MenuRequest::none;
@@ -292,7 +292,7 @@ void statusBar(Context& context, const LessonFigures& figures, const Controls& c
     ImGui::PushFont(context.fonts.small);
     ImGui::SetCursorPosY((height - ImGui::GetTextLineHeight()) / 2);
     const ShortText text = figuresText(figures);
-    // Where the window has no room for all figures their end is cut.
+    // The end of the figures is cut off if the window has no room for all.
     const float right = std::max(
         ImGui::GetIO().DisplaySize.x - ImGui::CalcTextSize(text.c_str()).x - context.points(16), context.points(16));
 
@@ -312,7 +312,7 @@ void statusBar(Context& context, const LessonFigures& figures, const Controls& c
 void messageStack(Context& context, Messages& messages, float left, float right) {
     if (messages.shown().empty()) return;
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    // Where the panels leave too little room, messages lie over them.
+    // Messages overlap the panels if those leave too little room.
     if (screen.x - left - right < context.points(260)) left = right = 0;
     const float width = std::min(context.points(620), screen.x - left - right - context.points(40));
     ImGui::SetNextWindowPos({(left + screen.x - right) / 2, barHeight(context) + context.points(10)}, ImGuiCond_Always,

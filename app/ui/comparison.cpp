@@ -1,4 +1,5 @@
-// Two attempts beside each other: the way to it, the difference in words, figures and curves of both.
+// Draws two attempts next to each other: the steps to the comparison, the difference in words, figures and curves of
+// both.
 #include "app/ui/curves.hpp"
 #include "app/ui/panels.hpp"
 #include "core/base/words.hpp"
@@ -25,7 +26,7 @@ void tinted(std::string_view text, ImU32 tint) {
     ImGui::PopStyleColor();
 }
 
-/// One line of a table, each figure at the right of its column; what is too wide for that has a line of its own.
+/// Draws one line of a table, each figure at the right of its column; too wide ones have a line of their own.
 void tableLine(std::string_view name, const std::array<std::string_view, 3>& figures,
                const std::array<ImU32, 3>& tints) {
     const float left = ImGui::GetCursorPosX(), width = ImGui::GetContentRegionAvail().x;
@@ -60,7 +61,7 @@ void figuresOfBoth(Context& context, const ComparisonRows& rows) {
     }
 }
 
-/// A quantity of the hand in both attempts, over mm of seam.
+/// Draws a quantity of the hand in both attempts, over mm of seam.
 void handOfBoth(Context& context, const AttemptComparison& comparison, TechniqueQuantity quantity) {
     const Judgement &first = comparison.attempt(0)->judgement, &second = comparison.attempt(1)->judgement;
     const QuantityInfo& info = quantityInfo(quantity, first.distance);
@@ -82,7 +83,7 @@ void handOfBoth(Context& context, const AttemptComparison& comparison, Technique
     curveChart(context, chart, both);
 }
 
-/// A figure of the weld at the stations of both, over mm of seam.
+/// Draws a figure of the weld at the stations of both, over mm of seam.
 void weldOfBoth(Context& context, const AttemptComparison& comparison, const ComparedFigure& figure,
                 const WeldFigure& row) {
     const auto &first = comparison.attempt(0)->judgement.weld, &second = comparison.attempt(1)->judgement.weld;
@@ -96,7 +97,7 @@ void weldOfBoth(Context& context, const AttemptComparison& comparison, const Com
     const auto firstValue = [&](size_t i) { return valueIn(*first, i); };
     const auto secondPlace = [&](size_t i) { return placeIn(*second, i); };
     const auto secondValue = [&](size_t i) { return valueIn(*second, i); };
-    constexpr double kPitches = 1.5; // of the stations, that are joined
+    constexpr double kPitches = 1.5; // pitches of the stations: closer ones are joined
     const std::array<CurveSeries, 2> both{
         {{first->stations.size(), firstPlace, firstValue, kPitches * first->pitch * 1e3, kTints[0]},
          {second->stations.size(), secondPlace, secondValue, kPitches * second->pitch * 1e3, kTints[1]}}};

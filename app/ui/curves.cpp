@@ -1,4 +1,4 @@
-// Curves along the seam of the judged attempt, with what the lesson asks for: the same as on its page.
+// Draws curves along the seam of the judged attempt, with the lesson's bands, equal to those on its page.
 #include "app/ui/curves.hpp"
 
 #include "app/ui/panels.hpp"
@@ -20,7 +20,7 @@ constexpr ImU32 kAxis = IM_COL32(255, 255, 255, 60);
 constexpr float kTitle = 18, kFoot = 16, kMargin = 40; ///< points
 constexpr double kGap = 1.5;                           ///< mm of seam without arc that break the line
 
-/// What a curve shows: a value of each millimetre, NaN where there is none.
+/// Value of a curve at each millimetre, NaN if unknown.
 using SeamValue = FunctionRef<double(const SeamMillimetre&)>;
 
 struct CurveWords {
@@ -81,7 +81,7 @@ void drawAxes(Context& context, ImDrawList& draw, const CurveSheet& sheet) {
     }
 }
 
-/// Broken where nothing is known over more than its gap.
+/// Draws a line, broken at unknown stretches longer than its gap.
 void drawLine(Context& context, ImDrawList& draw, const CurveSheet& sheet, const CurveSeries& series) {
     const float thick = context.points(1.6f);
     bool begun = false;
@@ -101,7 +101,7 @@ void drawLine(Context& context, ImDrawList& draw, const CurveSheet& sheet, const
     }
 }
 
-/// The point with a value that lies nearest to a place; nothing where there is none.
+/// Finds the point with a value that is nearest to a place; empty if there is none.
 std::optional<size_t> nearest(const CurveSeries& series, double place) {
     std::optional<size_t> found;
     double least = 0;
@@ -114,13 +114,13 @@ std::optional<size_t> nearest(const CurveSeries& series, double place) {
     return found;
 }
 
-/// With two or three digits behind the point, as the number's size needs.
+/// Writes two or three digits behind the point, as the number's size needs.
 ShortText pointedNumber(double value) {
     const double scale = std::abs(value) < 10 ? 100 : 10;
     return niceNumber(std::round(value * scale) / scale);
 }
 
-/// The place that the pointer means and each curve's value there, at the right of the title.
+/// Draws the place under the pointer and each curve's value there, at the right of the title.
 void drawPointed(Context& context, ImDrawList& draw, const CurveChart& chart, std::span<const CurveSeries> series,
                  const CurveSheet& sheet, double under, float top) {
     std::optional<double> place;
@@ -161,7 +161,7 @@ void drawQuantity(Context& context, const Judgement& judgement, TechniqueQuantit
         [&](const SeamMillimetre& mm) { return mm.values[quantity] * info.perSi; }, asked);
 }
 
-/// Of lessons that judge no technique: what every weld is led by.
+/// Curves of lessons that judge no technique: the quantities that guide every weld.
 constexpr std::array kPlain{TechniqueQuantity::travelSpeed, TechniqueQuantity::workAngle,
                             TechniqueQuantity::travelAngle, TechniqueQuantity::distance, TechniqueQuantity::aim};
 

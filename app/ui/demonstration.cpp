@@ -1,4 +1,4 @@
-// The controls of a lesson's demonstration: pause, time, and the way to one's own attempt.
+// Draws the controls of a lesson's demonstration: pause, time, and the button for one's own attempt.
 #include "app/ui/panels.hpp"
 #include "core/base/words.hpp"
 
@@ -8,7 +8,7 @@ namespace meltpool::ui {
 
 namespace {
 
-/// The time as a slider; the torch follows it.
+/// Draws the time as a slider; the torch follows it.
 void timeSlider(Context& context, Demonstration& demonstration) {
     auto time = static_cast<float>(demonstration.time());
     const Parameter parameter{"time", phrase("demonstration.time"), "s", &time, 0, demonstration.duration(), ""};

@@ -1,4 +1,4 @@
-// The home page: the lessons with picture, level and best score, in the window and on the headset's panel.
+// Draws the home page: the lessons with picture, level and best score, in the window and on the headset's panel.
 #include "app/ui/panels.hpp"
 #include "core/base/words.hpp"
 
@@ -13,18 +13,18 @@ constexpr float kWidestTile = 300;   ///< points
 constexpr float kRowHeight = 70;     ///< points, of a lesson on the headset's panel and in a low window
 constexpr float kRowWidth = 300;     ///< points, the least in a low window
 constexpr float kLowWindow = 420;    ///< points
-constexpr size_t kRowsAPage = 4;     ///< of those
-constexpr size_t kAttemptsAPage = 8; ///< in the window
+constexpr size_t kRowsAPage = 4;     ///< rows on the headset's panel
+constexpr size_t kAttemptsAPage = 8; ///< attempts a page in the window
 constexpr size_t kAttemptsOnPanel = 6;
 constexpr float kPictureShape = 16.0f / 9;
 
-/// A place for a picture that there is none of: the logo on a dark ground.
+/// Draws a place without a picture: the logo on a dark ground.
 void drawPlainTile(ImDrawList& draw, ImVec2 low, ImVec2 high) {
     fillRounded(draw, low, high, colour::kTrack, 0);
     drawSign(draw, {(low.x + high.x) / 2, (low.y + high.y) / 2}, (high.y - low.y) * 0.5f);
 }
 
-/// Why the lesson cannot be used, in the place that its picture or its level would have.
+/// Draws the reason why the lesson cannot be used, in the place of its picture or its level.
 void drawFault(Context& context, const CataloguedLesson& lesson, ImVec2 low, ImVec2 high) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const float size = loadedSize(*context.fonts.small) * ImGui::GetIO().FontGlobalScale;
@@ -34,7 +34,7 @@ void drawFault(Context& context, const CataloguedLesson& lesson, ImVec2 low, ImV
     draw.PopClipRect();
 }
 
-/// The lesson's picture and words; the words stand below the picture, or beside it.
+/// Draws the lesson's picture and words; the words are below the picture, or next to it.
 void drawLesson(Context& context, Home& home, const CataloguedLesson& lesson, ImVec2 low, ImVec2 high, bool beside) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const float pad = context.points(8);
@@ -66,7 +66,7 @@ void drawLesson(Context& context, Home& home, const CataloguedLesson& lesson, Im
     draw.PopClipRect();
 }
 
-/// One lesson of the list; true when it was chosen. `byKeys`: keys choose too, so the chosen one is marked.
+/// Draws one lesson of the list; returns true if it was chosen. `byKeys`: keys choose too, so the chosen one is marked.
 bool lessonTile(Context& context, Home& home, size_t index, ImVec2 size, bool beside, bool byKeys) {
     const CataloguedLesson& lesson = home.lessons()[index];
     const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -87,7 +87,7 @@ bool lessonTile(Context& context, Home& home, size_t index, ImVec2 size, bool be
     return clicked;
 }
 
-/// In a low window a tile would not fit in whole, so the words stand beside the pictures.
+/// Draws the lessons in rows. A tile does not fit into a low window, so the words are next to the pictures there.
 bool lessonGrid(Context& context, Home& home) {
     const bool beside = lowerThan(context, kLowWindow);
     const float gap = context.points(beside ? 8 : 14);
@@ -116,7 +116,7 @@ bool lessonGrid(Context& context, Home& home) {
     return chosen;
 }
 
-/// A page of the headset's list: lessons of one group.
+/// Page of the headset's list: lessons of one group.
 struct HomePage {
     LessonOrigin origin;
     size_t begin, end;
@@ -130,10 +130,10 @@ std::vector<HomePage> pagesOf(const Home& home) {
     return pages;
 }
 
-/// Between the lessons and the attempts that were kept.
+/// Draws the button between the lessons and the saved attempts.
 void attemptsButton(Context& context, Home& home, const Activities& activities) {
     const bool shown = home.attempts.shown();
-    if (activities.at(activities.comparison)) return; // which has its own way back
+    if (activities.at(activities.comparison)) return; // the comparison has its own way back
     if (!button(context, "home.attempts", phrase(shown ? "home.lessons" : "home.attempts").c_str(), ButtonKind::plain,
                 100, phrase(shown ? "home.lessons_tip" : "home.attempts_tip").c_str()))
         return;

@@ -1,4 +1,4 @@
-// Dear ImGui and its backends, whose place differs between distributions and vcpkg.
+// Includes Dear ImGui and its backends, whose place differs between distributions and vcpkg.
 #pragma once
 
 #include <imgui.h>

@@ -28,14 +28,14 @@ constexpr auto kTextLetters = std::to_array<ImWchar>({
     0x25A0, 0x25CF, // squares, triangles, circles
     0x2605, 0x2612, // stars and boxes
     0x2713, 0x2718, // ticks and crosses
-    0xFFFD, 0xFFFD, // drawn in place of a missing letter
+    0xFFFD, 0xFFFD, // replacement of a missing letter
     0,
 });
 
 constexpr auto kTitleLetters =
     std::to_array<ImWchar>({0x0020, 0x024F, 0x1E00, 0x1EFF, 0x2010, 0x2044, 0xFFFD, 0xFFFD, 0});
 
-/// Nothing is drawn of it anyway.
+/// Returns true for a letter that draws nothing.
 bool drawsNothing(char32_t letter) {
     return letter < 0x20 || (letter >= 0x7F && letter < 0xA0) || (letter >= 0x200B && letter <= 0x200F) ||
            (letter >= 0x2028 && letter <= 0x202F) || letter == 0xFEFF;

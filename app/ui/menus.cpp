@@ -1,4 +1,4 @@
-// View menu, machine menu, timings and help of the running trainer.
+// Draws view menu, machine menu, timings and help of the running trainer.
 #include "app/ui/panels.hpp"
 #include "core/base/words.hpp"
 
@@ -14,7 +14,7 @@ constexpr float kPanelGap = 10;
 
 enum class Side { left, leftBeside, right };
 
-/// A panel along one side of the picture, as tall as its content, at most down to the status bar.
+/// Begins a panel along one side of the picture, as tall as its content, at most down to the status bar.
 bool beginPanel(Context& context, const char* name, Side side) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float gap = context.points(kPanelGap);
@@ -33,7 +33,7 @@ void panelTitle(Context& context, const char* title, const char* what) {
     quietText(context, what);
 }
 
-/// Parameters under one heading of a menu.
+/// Group of parameters under one heading of a menu.
 struct Group {
     const char* section;
     const char* title;
@@ -47,12 +47,12 @@ const ParameterSection* findSection(std::span<const ParameterSection* const> sec
     return nullptr;
 }
 
-/// Whether the parameter belongs to the group. Parameters of the start alone belong to none.
+/// Returns true if the parameter belongs to the group. Parameters of the start alone belong to none.
 bool stands(const Parameter& parameter, const Group& group) {
     return !parameter.onlyAtStart && std::find(group.keys.begin(), group.keys.end(), parameter.key) != group.keys.end();
 }
 
-/// Draws a heading and the parameters for which `belongs` is true; nothing where there are none.
+/// Draws a heading and the parameters for which `belongs` is true; no-op if there are none.
 template <class Belongs>
 void drawGroup(Context& context, const ParameterSection& section, const char* title, bool openAtFirst,
                const Belongs& belongs) {
@@ -63,7 +63,7 @@ void drawGroup(Context& context, const ParameterSection& section, const char* ti
         if (drawn(parameter)) parameterControl(context, section, parameter);
 }
 
-/// A group's parameters in the group's order.
+/// Draws a group's parameters in the group's order.
 void drawGroup(Context& context, const ParameterSection& section, const Group& group) {
     const auto belongs = [&](const Parameter& p) { return section.shows(p) && stands(p, group); };
     if (std::none_of(section.parameters.begin(), section.parameters.end(), belongs)) return;
@@ -73,9 +73,9 @@ void drawGroup(Context& context, const ParameterSection& section, const Group& g
             parameterControl(context, section, *p);
 }
 
-/// The groups in order, then under "More" whatever no group names.
+/// Draws the groups in order, then all other parameters under "More".
 void drawGroups(Context& context, std::span<const ParameterSection* const> sections, std::span<const Group> groups) {
-    // A value that stands in two menus has the same key in both.
+    // A value in two menus has one key for both.
     const auto named = [&](const Parameter& p) {
         return std::any_of(groups.begin(), groups.end(), [&](const Group& group) {
             return stands(p, group) && findSection(sections, group.section) != nullptr;
@@ -108,7 +108,7 @@ void passRow(Context& context, std::string_view name, double ms, double whole, i
 
 struct Shortcut {
     ShortText keys;
-    std::string_view what; ///< the key of its words
+    std::string_view what; ///< key of its phrase
 };
 
 void shortcutColumn(Context& context, const char* title, std::span<const Shortcut> rows) {
@@ -127,7 +127,7 @@ void shortcutColumn(Context& context, const char* title, std::span<const Shortcu
     ImGui::Dummy({0, context.points(6)});
 }
 
-/// The left half of the help page.
+/// Draws the left half of the help page.
 void torchKeys(Context& context) {
     const std::string_view a = context.key(Key::a), d = context.key(Key::d), e = context.key(Key::e),
                            q = context.key(Key::q), s = context.key(Key::s), w = context.key(Key::w);
@@ -147,7 +147,7 @@ void torchKeys(Context& context) {
     shortcutColumn(context, phrase("help.heading.camera").c_str(), orbit);
 }
 
-/// The right half of the help page.
+/// Draws the right half of the help page.
 void programKeys(Context& context) {
     const std::string_view a = context.key(Key::a), d = context.key(Key::d), e = context.key(Key::e),
                            q = context.key(Key::q), s = context.key(Key::s), w = context.key(Key::w);
@@ -257,7 +257,7 @@ void helpOverlay(Context& context, bool& open) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     constexpr ImGuiWindowFlags kStill = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                         ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
-    // A shade over everything; a click on it closes the page.
+    // A shade covers everything; a click on it closes the page.
     ImGui::SetNextWindowPos({0, 0});
     ImGui::SetNextWindowSize(screen);
     ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(8, 10, 14, 170));

@@ -1,4 +1,4 @@
-// The screens and panels of the window. Each function draws one and answers what the person asked for.
+// Declares the screens and panels of the window. Each function draws one and returns the person's request.
 #pragma once
 
 #include "app/activities/question.hpp"
@@ -24,73 +24,74 @@ float panelReach(const Context& context);
 /// Height of the bars at the top and bottom, points.
 float barHeight(const Context& context);
 
-/// The highest temperature: "1530 °C"; of the classic metal, whose scale has no unit, "0.53".
+/// Highest temperature: "1530 °C"; for the classic metal, whose scale has no unit, "0.53".
 ShortText hottestText(const LessonFigures& figures);
 
-/// The list of lessons in the whole window. `help`: its button was pressed.
+/// Draws the list of lessons in the whole window. `help`: its button was pressed.
 MenuRequest homePage(Context& context, Home& home, Activities& activities, const std::string& driver, bool& help);
-/// The same inside the current window, a few lessons a page, for the headset's panel.
+/// Draws the list of lessons inside the current window, a few a page, for the headset's panel.
 MenuRequest homePart(Context& context, Home& home, Activities& activities);
-/// The lesson's first page: what is asked for, the machine's values, start.
+/// Draws the lesson's first page: task, machine values, start.
 MenuRequest startMenu(Context& context, LessonSession& session, Home& home, const std::string& driver);
-/// The values that are chosen before the start, inside the current window.
+/// Draws the values that are set before the start, inside the current window.
 void setupPart(Context& context, LessonSession& session);
 MenuRequest topBar(Context& context, PanelState& panels, const Controls& controls, const LessonSession& session);
 void statusBar(Context& context, const LessonFigures& figures, const Controls& controls);
-/// What is heard, above the status bar in the middle of what panels leave free; `left`, `right`: what they cover,
-/// points.
+/// Draws the caption of sounds above the status bar in the middle of the uncovered width; `left`, `right`: width
+/// covered by panels, points.
 void captionLine(Context& context, std::string_view caption, float left, float right);
 void viewMenu(Context& context, std::span<const ParameterSection* const> sections);
-/// The machine's values; closed below them, in the expert drawer, the solver's.
+/// Draws the machine's values; closed below them, in the expert drawer, the solver's.
 void machinePart(Context& context, const ParameterSection& section);
 void machineMenu(Context& context, const ParameterSection& section, Controls& controls);
-/// The running demonstration above the status bar, in the middle of what panels leave free: pause, its time, and the
-/// way to one's own attempt. `left`, `right`: what panels cover, points; where they leave too little room, it lies over
-/// them.
+/// Draws the running demonstration above the status bar, in the middle of the uncovered width: pause, its time, and the
+/// button for one's own attempt. `left`, `right`: width covered by panels, points; with too little room left it
+/// overlaps them.
 MenuRequest demonstrationBar(Context& context, LessonSession& session, float left, float right);
-/// The same inside the current window, for the headset's panel.
+/// Draws the running demonstration inside the current window, for the headset's panel.
 MenuRequest demonstrationPart(Context& context, LessonSession& session);
-/// A kept attempt above the status bar: pause, its time, speed, curves and events, and what its end was compared with.
+/// Draws a saved attempt above the status bar: pause, its time, speed, curves and events, and the comparison of its end
+/// with the recording.
 MenuRequest replayBar(Context& context, LessonSession& session);
-/// The same inside the current window, for the headset's panel.
+/// Draws a saved attempt inside the current window, for the headset's panel.
 MenuRequest replayPart(Context& context, LessonSession& session);
-/// The attempts that were kept, newest first, `rows` a page, inside the current window; in their place the comparison
-/// of two of them while the person is at it.
+/// Draws the saved attempts, newest first, `rows` a page, inside the current window; the comparison of two of them
+/// replaces the list during that activity.
 MenuRequest attemptList(Context& context, Home& home, Activities& activities, size_t rows);
-/// Two attempts beside each other: what is still to be welded, then difference, figures and curves of both, inside the
+/// Draws two attempts next to each other: the remaining welds, then difference, figures and curves of both, inside the
 /// current window.
 void comparisonPart(Context& context, Activities& activities);
 /// Width of the result panel with its gap to the picture; points.
 float resultReach(const Context& context);
-/// The judged attempt at the left: score, what to correct, verdict, measured weld.
+/// Draws the judged attempt at the left: score, corrections, verdict, measured weld.
 MenuRequest resultPanel(Context& context, LessonSession& session, const Home& home);
-/// The same inside the current window, for the headset's panel.
+/// Draws the judged attempt inside the current window, for the headset's panel.
 MenuRequest resultPart(Context& context, LessonSession& session, const Home& home);
-/// The button that cuts the weld open, inside the current window, and, while it is open, the place of the cut.
+/// Draws the button that cuts the weld open, inside the current window, and, while it is open, the place of the cut.
 MenuRequest cutPart(Context& context, LessonSession& session);
-/// The hand of the judged attempt along the seam, with the lesson's bands (null: it has none), inside the current
+/// Draws the hand of the judged attempt along the seam, with the lesson's bands (null: none), inside the current
 /// window, folded at first. Allocates nothing.
 void curvesPart(Context& context, const Judgement& judgement, const TechniqueBands* bands);
-/// The bend test of the judged weld, or the break of a fillet, strap by strap, inside the current window.
+/// Draws the bend test of the judged weld, or the break of a fillet, strap by strap, inside the current window.
 void bendPart(Context& context, const BendTest& test);
 void timingsPanel(Context& context, const gl::Profiler& profiler, const LessonFigures& figures, double frameMs,
                   const std::string& driver, bool besideView);
-/// A question over all other panels, a button for each answer. Nothing where none is asked.
+/// Draws a question over all other panels, a button for each answer. No-op without a question.
 void questionOverlay(Context& context, Question& question);
-/// The same inside the current window, for the headset's panel.
+/// Draws a question inside the current window, for the headset's panel.
 void questionPart(Context& context, Question& question);
 void helpOverlay(Context& context, bool& open);
-/// Messages at the top. `left`, `right`: what panels cover there, points. A click hides a message.
+/// Draws the messages at the top. `left`, `right`: width covered by panels there, points. A click hides a message.
 void messageStack(Context& context, Messages& messages, float left, float right);
-/// The colour scale of the temperature displays; `colours` is LookParameters::colours.
-/// `left`: what panels cover at the left, points.
+/// Draws the colour scale of the temperature displays; `colours` is LookParameters::colours. `left`: width covered by
+/// panels at the left, points.
 void temperatureScale(Context& context, int colours, const TemperatureMeaning& meaning, float left);
 
-/// A picture with a thin edge, from corner to corner.
+/// Draws a picture with a thin edge, from corner to corner.
 void drawPicture(ImDrawList& draw, GLuint texture, ImVec2 low, ImVec2 high);
-/// The program's logo, a metal cube with a molten corner. `size` in points.
+/// Draws the program's logo, a metal cube with a molten corner. `size` in points.
 void drawSign(ImDrawList& draw, ImVec2 centre, float size);
-/// The dark workshop glow behind the start menu.
+/// Draws the dark workshop glow behind the start menu.
 void drawBackdrop(float width, float height);
 
 } // namespace meltpool::ui

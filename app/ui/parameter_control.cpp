@@ -1,4 +1,5 @@
-// The control of one described parameter: a slider for numbers, a switch, a row of choices, three fields for a vector.
+// Draws the control of one described parameter: a slider for numbers, a switch, a row of choices, three fields for a
+// vector.
 #include "app/ui/widgets.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
@@ -12,8 +13,8 @@ namespace meltpool::ui {
 
 namespace {
 
-/// Maps values to positions along a slider. Where the range is much wider than the usual value, the scale is linear up
-/// to `even` and logarithmic above, so that values near the usual one can be set finely.
+/// Maps values to positions along a slider. If the range is much wider than the usual value, the scale is linear up to
+/// `even` and logarithmic above, so that values near the usual one can be set finely.
 struct Scale {
     double low;
     double high;
@@ -32,7 +33,7 @@ struct Scale {
     double fromShare(double share) const {
         return low + (even > 0 ? even * std::expm1(share * std::log1p((high - low) / even)) : share * (high - low));
     }
-    /// Rounds to three digits of the value, or of the range where the scale is linear.
+    /// Rounds to three digits of the value, or of the range if the scale is linear.
     double rounded(double value, bool whole) const {
         const double size = even > 0 ? std::max(std::abs(value), even) : high - low;
         const double step = std::pow(10.0, std::floor(std::log10(std::max(size, 1e-12))) - 2);
@@ -41,21 +42,21 @@ struct Scale {
     }
 };
 
-/// The words that start the keys of a choice's words: those of the table where a language has them, else the key's own.
+/// Prefix of the keys for a choice's phrases: the table's own if a language has them, else the parameter key's.
 ShortText choiceWords(std::string_view table, const Parameter& p) {
     const ShortText own{"parameter.", table, ".", p.key, ".choice"};
     if (!p.choices.empty() && findPhrase(ShortText{own, ".", p.choices.front()}) != nullptr) return own;
     return {"parameter.", p.key, ".choice"};
 }
 
-/// A value's text as a person reads it: the name of a choice and a switch's state have words.
+/// Text of a value for people: a choice's name and a switch's state have phrases.
 std::string_view shownText(std::string_view table, const Parameter& p, std::string_view text) {
     if (!p.choices.empty()) return phraseOr(ShortText{choiceWords(table, p), ".", text}, text);
     if (std::holds_alternative<bool*>(p.value)) return phrase(text == "true" ? "control.true" : "control.false");
     return text;
 }
 
-/// As expectation(), for a person who reads the menus.
+/// Makes the text of expectation() for a person who reads the menus.
 std::string allowedText(std::string_view table, const Parameter& p) {
     if (!p.choices.empty()) {
         std::string list;
@@ -87,7 +88,7 @@ std::string description(std::string_view table, const Parameter& p, std::string_
 }
 
 struct TypedEntry {
-    std::string name; ///< of the control that is being typed into; empty: none
+    std::string name; ///< name of the control with the text field; empty: none
     char text[64] = {};
     bool fresh = false;
 };
@@ -99,7 +100,7 @@ void startTyping(std::string_view name, double value) {
     typed.fresh = true;
 }
 
-/// The text field in place of a slider; true when a number was given.
+/// Draws the text field in place of a slider; returns true if a number was entered.
 bool typeNumber(double low, double high, double& value) {
     if (typed.fresh) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1);
@@ -110,14 +111,15 @@ bool typeNumber(double low, double high, double& value) {
     if (!entered && !left) return false;
     typed.name.clear();
     std::string text(trimText(typed.text));
-    if (decimalMark() == ",") std::replace(text.begin(), text.end(), ',', '.'); // a person writes as the slider shows
+    // The person types the mark that the slider shows.
+    if (decimalMark() == ",") std::replace(text.begin(), text.end(), ',', '.');
     const auto number = parseDouble(text);
     if (!number || !std::isfinite(*number)) return false;
     value = std::clamp(*number, low, high);
     return true;
 }
 
-/// A thin track with a round handle. Double click or Ctrl and click to type.
+/// Draws a thin track with a round handle. A double click or Ctrl and click opens the text field.
 bool slider(Context& context, std::string_view name, const Scale& scale, bool whole, double& value) {
     if (typed.name == name) return typeNumber(scale.low, scale.high, value);
     const float width = ImGui::GetContentRegionAvail().x;
@@ -151,7 +153,7 @@ bool slider(Context& context, std::string_view name, const Scale& scale, bool wh
     return changed;
 }
 
-/// Label at the left, value and unit at the right, and a way back to the first value in between.
+/// Draws the label at the left, value and unit at the right, and the button for the first value in between.
 bool labelLine(Context& context, std::string_view name, std::string_view table, const Parameter& p,
                std::string_view value, std::string_view original) {
     const float left = ImGui::GetCursorPosX();
@@ -166,7 +168,7 @@ bool labelLine(Context& context, std::string_view name, std::string_view table, 
     const float size = context.points(18);
     const bool changed = !original.empty() && original != parameterText(p);
     const float need = width + (changed ? size + context.points(6) : 0);
-    // Where both are too long for one line the value goes below its label.
+    // The value goes below its label if both are too long for one line.
     const bool beside = left + ImGui::GetItemRectSize().x + context.points(4) <= right - need;
     if (changed) {
         if (beside) ImGui::SameLine();
@@ -205,19 +207,19 @@ ShortText valueWithUnit(const Parameter& p, double value) {
     return isBareUnit(p.unit) ? niceNumber(value) : ShortText{niceNumber(value), " ", p.unit};
 }
 
-/// The value as menus show it, with its unit.
+/// Text of the value in menus, with its unit.
 ShortText givenText(std::string_view table, const Parameter& p) {
     if (const auto* value = std::get_if<float*>(&p.value)) return valueWithUnit(p, static_cast<double>(**value));
     if (const auto* value = std::get_if<int*>(&p.value))
         return p.choices.empty() ? valueWithUnit(p, **value)
                                  : ShortText(shownText(table, p, p.choices[static_cast<size_t>(**value)]));
-    return std::string_view(parameterText(p)); // no process has others
+    return std::string_view(parameterText(p)); // processes have no other types
 }
 
 struct Draw {
     Context& context;
     std::string_view name;
-    std::string_view table; ///< of its words
+    std::string_view table; ///< table of its phrases
     const Parameter& p;
     std::string_view original;
 

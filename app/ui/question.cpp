@@ -1,4 +1,4 @@
-// The question that must be answered before the lesson goes on.
+// Draws the question that must be answered before the lesson continues.
 #include "app/ui/panels.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// A kept attempt that is played again: its time line with curves and events, pause, speed, and what its end was.
+// Draws the replay of a saved attempt: its time line with curves and events, pause, speed, and the result of its end.
 #include "app/ui/curves.hpp"
 #include "app/ui/panels.hpp"
 #include "core/base/words.hpp"
@@ -14,7 +14,7 @@ namespace {
 constexpr float kChartHeight = 62; ///< points
 constexpr ImU32 kFaultTint = IM_COL32(255, 138, 120, 255);
 
-/// The time as a slider; the metal follows it.
+/// Draws the time as a slider; the metal follows it.
 void timeSlider(Context& context, ReplayTimeline& line) {
     auto time = static_cast<float>(line.target());
     const Parameter parameter{"time",          phrase("replay.time"),        "s", &time, 0,
@@ -49,14 +49,14 @@ ImU32 tintOf(const TimelineMark& mark) {
     return mark.fault ? kFaultTint : mark.redo ? colour::kWarning : colour::kQuiet;
 }
 
-/// A quantity of the hand over the attempt's time, as far as it has been played, with what the lesson asks for.
+/// Draws a quantity of the hand over the played part of the attempt's time, with the lesson's band.
 CurveAnswer overTime(Context& context, const LessonSession& session, TechniqueQuantity quantity,
                      const CurveTrack& track, std::string_view name) {
     const Lesson& lesson = session.lesson();
     const QuantityInfo& info = quantityInfo(quantity, traitsOf(lesson.process).distance);
     const TechniqueBand* band = lesson.technique ? lesson.technique->find(quantity) : nullptr;
     const double duration = session.activities().replay.line().duration();
-    // Stretches that were played too fast to be all known are joined.
+    // Gaps that come from fast play are joined.
     constexpr double kJoined = 8.5;
     constexpr auto kPlaces = static_cast<double>(CurveTrack::kPlaces);
     const auto place = [&](size_t i) { return (static_cast<double>(i) + 0.5) / kPlaces * duration; };
@@ -67,7 +67,7 @@ CurveAnswer overTime(Context& context, const LessonSession& session, TechniqueQu
     return curveChart(context, chart, series);
 }
 
-/// Where it stands and what happened, over a chart; a click brings the attempt there.
+/// Marks the current time and the events over a chart; a click moves the attempt to its time.
 void marksOfTime(Context& context, AttemptReplay& replay, const CurveAnswer& chart) {
     if (!chart.drawn) return;
     ReplayTimeline& line = replay.line();
@@ -97,7 +97,7 @@ void distanceOverTime(Context& context, LessonSession& session) {
     ImGui::PopFont();
 }
 
-/// What it does at this moment.
+/// Describes the replay's current state.
 ShortText stateText(const LessonSession& session) {
     const AttemptReplay& replay = session.activities().replay;
     const ReplayTimeline& line = replay.line();
@@ -138,7 +138,7 @@ MenuRequest replayButtons(Context& context, ReplayTimeline& line) {
     return request;
 }
 
-/// Curves beside each other, then buttons beside the speed: low, so that the metal above stays in view.
+/// Draws curves next to each other, then buttons next to the speed: low, so that the metal above stays in view.
 MenuRequest wideRows(Context& context, LessonSession& session) {
     MenuRequest request = MenuRequest::none;
     ReplayTimeline& line = session.activities().replay.line();
@@ -159,7 +159,7 @@ MenuRequest wideRows(Context& context, LessonSession& session) {
 } // namespace
 
 MenuRequest replayPart(Context& context, LessonSession& session) {
-    constexpr float kWide = 900; // points in which two columns have room for the buttons
+    constexpr float kWide = 900; // points at which two columns have room for the buttons
     ReplayTimeline& line = session.activities().replay.line();
     strongText(context, phrase("replay.heading"));
     timeSlider(context, line);

@@ -1,4 +1,5 @@
-// The result of an attempt: score, what to correct, verdict and measured weld, for the window and the headset's panel.
+// Draws the result of an attempt: score, corrections, verdict and measured weld, for the window and the headset's
+// panel.
 #include "app/ui/panels.hpp"
 #include "core/base/words.hpp"
 
@@ -38,7 +39,7 @@ void wrapped(const std::string& text, ImU32 tint = colour::kText) {
     ImGui::PopStyleColor();
 }
 
-/// Name and value on one line, the detail quietly below.
+/// Draws name and value on one line, the detail quietly below.
 void drawRow(Context& context, const JudgementRow& row) {
     const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
     ImGui::TextUnformatted(row.name.c_str());
@@ -50,7 +51,7 @@ void drawRow(Context& context, const JudgementRow& row) {
     ImGui::TextUnformatted(row.value.c_str());
     ImGui::PopStyleColor();
     if (row.detail.empty()) return;
-    ImGui::SetCursorPosY(ImGui::GetCursorPosY() - context.points(4)); // near to its name
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() - context.points(4)); // close to its name
     quietText(context, row.detail);
 }
 
@@ -61,7 +62,7 @@ void drawSection(Context& context, const JudgementSection& section) {
         drawRow(context, row);
 }
 
-/// m along the seam where what is to be corrected was worst; nothing where it has no place.
+/// Returns the worst place of the correction along the seam, m; empty if it has no place.
 std::optional<double> worstPlace(const Judgement& judgement, const Correction& correction) {
     if (!correction.quantity || !judgement.score) return std::nullopt;
     const ParameterScore* parameter = judgement.score->find(*correction.quantity);
@@ -69,7 +70,7 @@ std::optional<double> worstPlace(const Judgement& judgement, const Correction& c
     return parameter->worstPlaceMm * 1e-3;
 }
 
-/// What to correct first; below each that has a place a button that goes back before it.
+/// Draws the first corrections; each one with a place has a button that goes back before it.
 MenuRequest drawCorrections(Context& context, LessonSession& session) {
     static constexpr std::array<const char*, 3> kButtons{"result.redo.1", "result.redo.2", "result.redo.3"};
     const JudgedAttempt& attempt = *session.attempt().judged();
@@ -124,7 +125,7 @@ const TechniqueBands* bandsOf(const Lesson& lesson) {
     return lesson.technique ? &*lesson.technique : nullptr;
 }
 
-/// The best score of the session's lesson; empty where there is none.
+/// Best score of the session's lesson; empty if there is none.
 std::string bestText(const LessonSession& session, const Home& home) {
     const CataloguedLesson* lesson = home.find(session.lesson());
     const BestScore* best = lesson == nullptr ? nullptr : home.scores.find(lesson->key);

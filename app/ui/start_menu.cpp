@@ -1,4 +1,4 @@
-// A lesson's first page: what is asked for, the machine's values, start; and the program's logo and backdrop.
+// Draws a lesson's first page: task, machine values, start; and the program's logo and backdrop.
 #include "app/ui/panels.hpp"
 
 #include "core/base/words.hpp"
@@ -19,7 +19,7 @@ ImU32 mix(ImU32 a, ImU32 b, float share) {
     return ImGui::ColorConvertFloat4ToU32({channel(x.x, y.x), channel(x.y, y.y), channel(x.z, y.z), channel(x.w, y.w)});
 }
 
-/// The glow of the metal at a heat of 0..1: grey, red, orange, nearly white.
+/// Glow of the metal at a heat of 0..1: grey, red, orange, nearly white.
 ImU32 glow(float heat, float shade) {
     constexpr std::array<ImU32, 5> kSteps{IM_COL32(150, 158, 170, 255), IM_COL32(160, 120, 110, 255),
                                           IM_COL32(226, 74, 22, 255), IM_COL32(255, 154, 48, 255),
@@ -33,7 +33,7 @@ ImU32 glow(float heat, float shade) {
 constexpr int kCells = 10;
 constexpr int kNodes = kCells + 1;
 
-/// Colours of a face, a fine lattice of nodes, by their distance from the hot corner.
+/// Holds the colours of a face, a fine lattice of nodes, by their distance from the hot corner.
 class FaceColours {
   public:
     explicit FaceColours(float shade) {
@@ -50,7 +50,7 @@ class FaceColours {
     std::array<ImU32, size_t{kNodes} * kNodes> nodes_{};
 };
 
-/// One face between the edge vectors u and v from the hot corner, which is nearest to the eye.
+/// Draws one face between the edge vectors u and v from the hot corner, which is nearest to the eye.
 void drawFace(ImDrawList& draw, ImVec2 corner, ImVec2 u, ImVec2 v, const FaceColours& colours) {
     const ImVec2 white = ImGui::GetFontTexUvWhitePixel();
     draw.PrimReserve(6 * kCells * kCells, kNodes * kNodes);
@@ -69,7 +69,7 @@ void drawFace(ImDrawList& draw, ImVec2 corner, ImVec2 u, ImVec2 v, const FaceCol
         }
 }
 
-/// A soft round glow.
+/// Draws a soft round glow.
 void drawGlow(ImDrawList& draw, ImVec2 centre, float radius, ImU32 inner) {
     constexpr int kParts = 48;
     const ImVec2 white = ImGui::GetFontTexUvWhitePixel();
@@ -88,10 +88,10 @@ void drawGlow(ImDrawList& draw, ImVec2 centre, float radius, ImU32 inner) {
     }
 }
 
-/// Picture, title and task of the lesson, and how far the trainee has come with it.
+/// Draws picture, title and task of the lesson, and the trainee's progress in it.
 void introduction(Context& context, const Lesson& lesson, Home& home) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const bool narrow = narrowerThan(context, 480); // the words need all of it
+    const bool narrow = narrowerThan(context, 480); // the words need the whole width
     const float height = context.points(92);
     float width = height;
     if (narrow) {
@@ -115,20 +115,20 @@ void introduction(Context& context, const Lesson& lesson, Home& home) {
     ImGui::EndGroup();
 }
 
-/// A parameter with what it does below it.
+/// Draws a parameter with its explanation below.
 void explained(Context& context, const ParameterSection& section, const Parameter& parameter) {
     parameterControl(context, section, parameter);
     quietText(context, sentence(translatedNote(section.words, parameter)));
     ImGui::Dummy({0, context.points(3)});
 }
 
-/// The section's values that stand in the expert drawer, or those that do not.
+/// Draws the section's values of the expert drawer, or all others.
 void explainAll(Context& context, const ParameterSection& section, bool expert) {
     for (const Parameter& parameter : section.parameters)
         if (section.shows(parameter) && section.isExpert(parameter) == expert) explained(context, section, parameter);
 }
 
-/// Task and values, in an area that scrolls where the window is too small for all, so that the buttons below stay
+/// Draws task and values, in an area that scrolls if the window is too small for all, so that the buttons below stay
 /// visible. `room`: for all of the menu, pixels.
 void taskAndValues(Context& context, LessonSession& session, Home& home, float room) {
     constexpr float kFoot = 150; // points of the buttons, until they are drawn
@@ -144,7 +144,7 @@ void taskAndValues(Context& context, LessonSession& session, Home& home, float r
     markItem(context, "start.values");
 }
 
-/// The buttons below the values.
+/// Draws the buttons below the values.
 MenuRequest startButtons(Context& context, bool demonstrated) {
     MenuRequest request = MenuRequest::none;
     const float half = (ImGui::GetContentRegionAvail().x / context.scale - 12) / 2;
@@ -200,7 +200,7 @@ void drawBackdrop(float width, float height) {
 
 void setupPart(Context& context, LessonSession& session) {
     LessonSections& sections = session.sections();
-    sections.restoreGiven(); // "for score" may have been chosen a moment ago
+    sections.restoreGiven(); // the person may just have switched "for score" on
     if (session.lesson().model == LessonModel::Weld)
         if (const std::string text = simulatedSizesText(session.lesson().workpiece); !text.empty())
             quietText(context, text);

@@ -30,7 +30,7 @@ constexpr std::array<FontFiles, 6> kFontFiles{{
     {"/System/Library/Fonts/Supplemental/Arial.ttf", "/System/Library/Fonts/Supplemental/Arial Bold.ttf"},
 }};
 
-/// Fonts with many signs, which stand in for letters that the first font does not have.
+/// Fonts with many signs, used for letters that the first font lacks.
 constexpr std::array<FontFiles, 5> kFurtherFiles{{
     {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf"},
     {"/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf", "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans-Bold.ttf"},
@@ -39,10 +39,10 @@ constexpr std::array<FontFiles, 5> kFurtherFiles{{
     {"/System/Library/Fonts/Apple Symbols.ttf", "/System/Library/Fonts/Apple Symbols.ttf"},
 }};
 
-/// Above this size, in pixels, twice the width makes letters no smoother.
+/// Largest size, in pixels, at which twice the width makes letters smoother.
 constexpr float kOversampledUpTo = 40;
 
-/// `further`: a font for the letters that the first has not; null: none.
+/// `further`: font for letters that the first one lacks; null: none.
 ImFont* load(const char* file, const char* further, float size, const ImWchar* letters) {
     ImFontConfig config;
     config.OversampleH = size <= kOversampledUpTo ? 2 : 1;
@@ -56,15 +56,15 @@ ImFont* load(const char* file, const char* further, float size, const ImWchar* l
         font = atlas->AddFontDefault(&config);
     }
     if (further == nullptr) return font;
-    config.MergeMode = true; // into the font above; its own letters stay
+    config.MergeMode = true; // merges into the font above; its own letters stay
     atlas->AddFontFromFileTTF(further, size, &config, letters);
     return font;
 }
 
-/// Regular and strong; empty names where there are none.
+/// Names of the regular and strong font; empty if there are none.
 using FontNames = std::array<std::string, 2>;
 
-/// Those that came with the program, else the first that the system has.
+/// Finds the fonts that came with the program, else the first that the system has.
 FontNames installedFonts(const FontFiles& own, std::span<const FontFiles> systems) {
     std::error_code unreadable;
     const fs::path folder = resourceFolder() / "fonts";

@@ -1,11 +1,11 @@
-// The interface's colours, fonts and measures.
+// Sets the interface's colours, fonts and measures.
 #pragma once
 
 #include "app/ui/imgui_headers.hpp"
 
 namespace meltpool::ui {
 
-/// Colours by meaning.
+/// Names colours by meaning.
 namespace colour {
 constexpr ImU32 kPanel = IM_COL32(22, 25, 31, 240);
 constexpr ImU32 kPanelEdge = IM_COL32(255, 255, 255, 22);
@@ -28,12 +28,11 @@ struct Fonts {
     ImFont* title = nullptr;
 };
 
-/// Loads fonts for `scale` (interface size) drawn at `pixelScale` pixels a point. The first of the fonts that the
-/// machine has is taken; with none, Dear ImGui's own. A second font stands in for the letters that it has not.
+/// Loads fonts for `scale` (interface size) drawn at `pixelScale` pixels a point. Takes the first of the fonts that the
+/// machine has, or Dear ImGui's own. A second font replaces the letters that the first one lacks.
 Fonts loadFonts(float scale, float pixelScale);
 
-/// The size, pixels, that a font was loaded for; Dear ImGui 1.92 draws it at any size and has another name for this
-/// one.
+/// Size that a font was loaded for, pixels; Dear ImGui 1.92 draws it at any size and calls this size LegacySize.
 inline float loadedSize(const ImFont& font) {
 #if IMGUI_VERSION_NUM >= 19200
     return font.LegacySize;

@@ -1,4 +1,4 @@
-// The weld looked into: cut open at any place, and bent. For the window and the headset's panel.
+// Draws the views into the weld: cut open at any place, and bent, for the window and the headset's panel.
 #include "app/session/bend_drawing.hpp"
 #include "app/ui/panels.hpp"
 #include "core/base/words.hpp"
@@ -17,7 +17,7 @@ constexpr ImU32 kOpening = IM_COL32(20, 12, 10, 255);
 constexpr ImU32 kEdge = IM_COL32(232, 74, 50, 255);
 constexpr float kLargest = 8; ///< points a millimetre of a drawing
 
-/// The place of the cut as a slider over the whole seam.
+/// Draws the place of the cut as a slider over the whole seam.
 void placeSlider(Context& context, CutView& cut) {
     auto place = static_cast<float>(cut.place() * 1e3);
     const Parameter parameter{"place",
@@ -59,7 +59,7 @@ void drawSheet(Context& context, const BendDrawing& drawing) {
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     ImDrawList* draw = ImGui::GetWindowDrawList();
     const ImDrawListFlags before = draw->Flags;
-    draw->Flags &= ~ImDrawListFlags_AntiAliasedFill; // it leaves seams between the pieces of the bend
+    draw->Flags &= ~ImDrawListFlags_AntiAliasedFill; // antialiasing leaves seams between the pieces of the bend
     for (const BendShape& shape : drawing.shapes)
         drawShape(*draw, shape, origin, scale);
     draw->Flags = before;

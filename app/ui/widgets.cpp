@@ -21,9 +21,9 @@ void markItem(Context& context, std::string_view name) {
 
 namespace {
 
-/// The radius, or 0 where the rectangle is too small for it or has a side that is not a number.
+/// Returns the radius, or 0 if the rectangle is too small for it or has a side that is not a number.
 float drawableRadius(ImVec2 low, ImVec2 high, float radius) {
-    // Dear ImGui leaves side/2 - 1 of the radius, of an edge (side - 1)/2 - 1.
+    // Dear ImGui limits the radius to side/2 - 1, and to (side - 1)/2 - 1 for an edge.
     const bool room = std::abs(high.x - low.x) >= 3.5f && std::abs(high.y - low.y) >= 3.5f;
     return room && radius >= 0.5f ? radius : 0.0f;
 }
@@ -80,7 +80,8 @@ ShortText niceNumber(double value) {
     std::string_view number = text;
     if (decimals > 0) {
         number = number.substr(0, number.find_last_not_of('0') + 1);
-        if (std::isdigit(static_cast<unsigned char>(number.back())) == 0) number.remove_suffix(1); // the decimal mark
+        // Removes a trailing decimal mark.
+        if (std::isdigit(static_cast<unsigned char>(number.back())) == 0) number.remove_suffix(1);
     }
     return number;
 }
@@ -109,9 +110,9 @@ bool lowerThan(const Context& context, float height) {
 
 namespace {
 
-constexpr float kTextMargin = 6; ///< points that a button leaves at each side of its text at least
+constexpr float kTextMargin = 6; ///< smallest margin between a button's text and each side, points
 
-/// Of a button that may be as wide as it likes, pixels.
+/// Width of a button without a limit, pixels.
 float wishedWidth(const Context& context, const char* text, ButtonKind kind, float width) {
     if (kind == ButtonKind::main) ImGui::PushFont(context.fonts.strong);
     const float words = ImGui::CalcTextSize(text).x;
@@ -120,7 +121,7 @@ float wishedWidth(const Context& context, const char* text, ButtonKind kind, flo
     return std::max(context.points(width), words + 2 * margin);
 }
 
-/// The text with line ends where it would be wider than `room`, pixels.
+/// Breaks the text into lines of at most `room` pixels.
 ShortText brokenIntoLines(const char* text, float room) {
     ShortText lines;
     const char* const end = text + std::strlen(text);
@@ -245,7 +246,7 @@ bool choiceRow(Context& context, std::string_view name, std::span<const std::str
 
 namespace {
 
-/// "group.expert_surface" of "Expert: surface".
+/// Makes "group.expert_surface" of "Expert: surface".
 ShortText groupKey(std::string_view title) {
     ShortText key("group.");
     bool gap = false;
@@ -288,7 +289,7 @@ bool namedHeading(Context& context, std::string_view prefix, const char* name, s
     const ImU32 tint = ImGui::IsItemHovered() ? IM_COL32(255, 205, 168, 255) : IM_COL32(255, 178, 122, 255);
     draw->AddText({corner.x, corner.y + context.points(3)}, tint, title.data(), title.data() + title.size());
     ImGui::PopFont();
-    // A chevron at the right: down while open, to the side while folded.
+    // A chevron at the right points down if open, to the side if folded.
     const ImVec2 centre{corner.x + width - context.points(8), corner.y + height / 2};
     const float r = context.points(4);
     const ImVec2 middle = open ? ImVec2{centre.x, centre.y + r / 2} : ImVec2{centre.x + r / 2, centre.y};
