@@ -1,4 +1,4 @@
-// Lessons in other alphabets: their letters are drawn, and what no font has is told.
+// Tests lessons in other alphabets: their letters are drawn, and letters that no font has are reported.
 #include "core/base/text.hpp"
 #include "tests/desktop/driven/driver.hpp"
 #include "tests/support/catch.hpp"
@@ -18,7 +18,7 @@ struct Alphabet {
     const char *key, *title, *text;
 };
 
-/// The build's data with the classic lesson in these languages only.
+/// Makes a copy of the build's data with the classic lesson in these languages only.
 fs::path catalogueOf(const std::string& name, const std::vector<Alphabet>& alphabets) {
     const fs::path share = scratchFolder(name);
     const fs::path built = test::buildFolder() / "share" / "meltpool";

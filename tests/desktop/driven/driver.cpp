@@ -25,7 +25,7 @@ using Clock = std::chrono::steady_clock;
 
 namespace {
 
-/// Far beyond what anything here takes: only a hang gets there.
+/// Time limit, s, far beyond any run of these tests: only a hang reaches it.
 constexpr double kPatience = 300;
 
 void nap(double seconds) {
@@ -39,7 +39,7 @@ std::string readAll(const fs::path& file) {
     return text.str();
 }
 
-/// Reads the line that the other end writes; empty when it closes first.
+/// Reads the line that the other end writes; empty if it closes first.
 std::string readLine(int descriptor) {
     std::string line;
     char c = 0;
@@ -48,7 +48,7 @@ std::string readLine(int descriptor) {
     return line;
 }
 
-/// Whether a control is whole, and not cut by the edge of a part of the page that scrolls.
+/// Returns true if a control is whole, not cut off by the edge of a scrolling part of the page.
 bool isWhole(const json& places, const std::array<double, 4>& control) {
     for (const char* part : {"start.values", "home.lessons"}) {
         if (!places.contains(part)) continue;
@@ -77,13 +77,13 @@ VirtualDisplay::VirtualDisplay(int dotsPerInch, int width, int height) {
     INFO("the desktop tests need Xvfb; install the package xvfb");
     REQUIRE_FALSE(number.empty());
     name_ = ":" + number;
-    // What a desktop says about the density of its screen.
+    // Resources of a desktop that give the density of its screen.
     Display* display = XOpenDisplay(name_.c_str());
     REQUIRE(display != nullptr);
     const std::string resources = "Xft.dpi:\t" + std::to_string(dotsPerInch) + "\n";
     XChangeProperty(display, DefaultRootWindow(display), XA_RESOURCE_MANAGER, XA_STRING, 8, PropModeReplace,
                     reinterpret_cast<const unsigned char*>(resources.data()), static_cast<int>(resources.size()));
-    // A key that xdotool strikes stays down for as long as the machine keeps xdotool waiting, and would be repeated.
+    // A key struck by xdotool stays down while the machine keeps xdotool waiting, and would be repeated.
     XAutoRepeatOff(display);
     XCloseDisplay(display);
 }
@@ -115,7 +115,7 @@ TrainerWindow::TrainerWindow(const std::string& name, const Options& options)
                            {"XDG_DATA_HOME", (folder_ / "data").string()},
                            {"XDG_PICTURES_DIR", ""},
                            {"WAYLAND_DISPLAY", ""},
-                           // Mesa's compiled shaders, else made anew in every window's own home.
+                           // Mesa's compiled shaders, which every window's own home would compile again.
                            {"MESA_SHADER_CACHE_DIR", (test::buildFolder() / "tests" / "shader-cache").string()},
                            {"MELTPOOL_DATA", data.string()}};
     for (const auto& [variable, value] : options.environment)
@@ -125,7 +125,7 @@ TrainerWindow::TrainerWindow(const std::string& name, const Options& options)
     process_ = std::make_unique<Process>(process);
     moveMouse(5, 635);
     waitFor("the window's first frames", [](const json& s) { return s.at("frame") > 2; });
-    since_ = 0; // what the window told at its start is news
+    since_ = 0; // rows of the window's start count as well
 }
 
 json TrainerWindow::state() const {
@@ -137,7 +137,7 @@ json TrainerWindow::firstRow(std::streamoff& from, const std::string& what,
     const auto end = Clock::now() + std::chrono::duration<double>(kPatience);
     json last;
     for (bool over = false; !over; nap(0.01)) {
-        over = !process_->running() || Clock::now() >= end; // looked at first, so that no row is left out
+        over = !process_->running() || Clock::now() >= end; // read first, so that no row is left out
         for (std::streamoff next = from;; from = next) {
             json row = rows_.read(next);
             if (!row.is_object()) break;
@@ -166,7 +166,7 @@ bool TrainerWindow::comesTrue(int frames, const std::function<bool(const json&)>
 }
 
 json TrainerWindow::settle() {
-    // The frame of the next row may have begun before what was done, those after it have not.
+    // The frame of the next row may have begun before the action; those after it have not.
     std::streamoff from = rows_.end();
     long long next = -1;
     return firstRow(from, "a few frames", [&](const json& row) {
@@ -216,7 +216,7 @@ std::array<double, 4> TrainerWindow::place(const std::string& name) {
     const bool left = name.rfind("simulation.", 0) != 0;
     const double width = now.at("window").at("size").at(0);
     bool overPanel = false;
-    // A page's scrolling part is lower than three notches of the wheel: it would jump over a control.
+    // The scrolling part of a page is lower than three notches of the wheel: it would jump over a control.
     const char* const clicks = now.at("page") == "running" ? "3" : "1";
     constexpr int kDown = 24, kAll = 60;
     for (int notch = 0; notch < kAll; ++notch) {
@@ -224,7 +224,7 @@ std::array<double, 4> TrainerWindow::place(const std::string& name) {
         const double low = now.at("window").at("size").at(1).get<double>() - (now.at("page") == "running" ? 65 : 0);
         if (const auto found = find(now);
             found && (*found)[1] + (*found)[3] < low && isWhole(now.at("places"), *found)) {
-            // A notch of the wheel that is still under way would move the control from under the mouse.
+            // A notch of the wheel still in progress would move the control away from the mouse.
             now = settle();
             if (find(now) == found) return *found;
             continue;

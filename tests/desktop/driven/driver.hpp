@@ -12,12 +12,12 @@
 
 namespace meltpool::test {
 
-/// Xvfb on a display number that was free. A missing Xvfb fails the test.
+/// Runs Xvfb on a free display number. A missing Xvfb fails the test.
 class VirtualDisplay {
   public:
     explicit VirtualDisplay(int dotsPerInch, int width = 1600, int height = 1000);
     const std::string& name() const { return name_; }
-    /// Kills the server, as one that crashes or whose machine goes away.
+    /// Kills the server, as in a crash or the loss of its machine.
     void kill();
 
   private:
@@ -25,17 +25,17 @@ class VirtualDisplay {
     std::unique_ptr<Process> server_;
 };
 
-/// The display that the tests share, of ordinary density.
+/// Returns the display that the tests share, of ordinary density.
 VirtualDisplay& sharedDisplay();
 
-/// Few particles on a coarse grid in a small window, so that frames are quick on any machine.
+/// Settings with few particles on a coarse grid in a small window, so that frames are quick on any machine.
 extern const char* const kSmallSettings;
 
 class TrainerWindow {
   public:
     struct Options {
-        std::string settings = kSmallSettings; ///< what the settings file holds at the start; empty: there is none
-        std::string lesson = "classic";        ///< named on the command line; empty: none is
+        std::string settings = kSmallSettings; ///< content of the settings file at the start; empty: no file
+        std::string lesson = "classic";        ///< lesson on the command line; empty: none
         std::vector<std::string> arguments = {};
         std::filesystem::path data = {}; ///< shaders and data; empty: those of the build
         VirtualDisplay* display = nullptr;
@@ -45,22 +45,22 @@ class TrainerWindow {
     /// Starts the program in the scratch folder `name` and waits for its first telemetry.
     TrainerWindow(const std::string& name, const Options& options);
 
-    /// Whether a row within so many frames from now fulfils the condition.
+    /// Returns true if a row within the next `frames` frames fulfils the condition.
     bool comesTrue(int frames, const std::function<bool(const nlohmann::json&)>& condition);
 
-    /// The newest telemetry.
+    /// Newest row of the telemetry.
     nlohmann::json state() const;
-    /// The first row that fulfils `condition` among all since the last word to xdotool or the row of the last such
-    /// wait, whichever is the later; waits for it. What holds for a moment only is seen too, however long this test
-    /// stands still. Fails the test, saying `what`, when there never is one.
+    /// Waits for the first row that fulfils `condition`, among all rows since the last call of xdotool or the row of
+    /// the last such wait, whichever is later, and returns it. It sees states of a moment as well, however long this
+    /// test pauses. Fails the test with `what` if no such row comes.
     nlohmann::json waitFor(const std::string& what, const std::function<bool(const nlohmann::json&)>& condition);
-    /// Waits for a few whole frames after what was done until now.
+    /// Waits until a few whole frames have passed after the last action.
     nlohmann::json settle();
-    /// Acts, such as by click(), until the parameter has another text than before: a press can fall between two frames
-    /// where they are slow, and a person would press again.
+    /// Repeats `act`, such as click(), until the parameter has another text than before: a press can fall between two
+    /// frames if they are slow, and a person would press again.
     void change(const std::string& section, const std::string& key, const std::function<void()>& act);
 
-    /// xdotool with these words. A missing xdotool fails the test.
+    /// Calls xdotool with these words. A missing xdotool fails the test.
     void xdotool(std::vector<std::string> words) const;
     void key(const std::string& name) { xdotool({"key", name}); }
     /// Holds a key until `condition` is fulfilled.
@@ -71,17 +71,17 @@ class TrainerWindow {
     void click(const std::string& place);
     /// Pulls a slider's handle to a share of its length.
     void pull(const std::string& place, double share);
-    /// Where a control is; fails the test when it cannot be brought in sight.
+    /// Returns the place of a control; fails the test if it cannot be brought into sight.
     std::array<double, 4> place(const std::string& name);
 
-    /// Start with the values as they stand, and wait until the metal runs.
+    /// Starts the lesson with its current values, and waits until the metal runs.
     void start();
-    /// F10; the picture goes to the build folder's desktop-pictures/NAME.png. Returns where.
+    /// Takes a picture by F10, moves it to the build folder's desktop-pictures/NAME.png and returns its file.
     std::filesystem::path takePicture(const std::string& name);
 
-    /// As the cross of the window does.
+    /// Closes the window as its cross does.
     void closeWindow();
-    /// Waits for the end; the exit code.
+    /// Waits for the end; returns the exit code.
     int finish();
     Process& process() { return *process_; }
 
@@ -97,12 +97,12 @@ class TrainerWindow {
 
     std::filesystem::path folder_;
     TelemetryRows rows_;
-    mutable std::streamoff since_ = 0; ///< where the rows begin that waitFor() looks at
+    mutable std::streamoff since_ = 0; ///< position of the first row that waitFor() reads
     std::string display_;
     std::unique_ptr<Process> process_;
 };
 
-/// A parameter's text in the telemetry.
+/// Returns a parameter's text in the telemetry.
 std::string parameterIn(const nlohmann::json& state, const std::string& section, const std::string& key);
 
 } // namespace meltpool::test

@@ -1,4 +1,4 @@
-// From the list of lessons to the result and back, with mouse and keys in the running window.
+// Tests the path from the list of lessons to the result and back, with mouse and keys in the running window.
 #include "core/base/image.hpp"
 #include "core/base/text.hpp"
 #include "tests/desktop/driven/driver.hpp"
@@ -17,7 +17,8 @@ namespace {
 
 const char* const kWindow = "[window]\nwidth = 1024\nheight = 640\n";
 
-/// A bead on a small plate: quick on any machine, and seen from the front, so that arrow keys lead along and across.
+/// Lesson of a bead on a small plate: quick on any machine, and seen from the front, so that arrow keys lead along and
+/// across.
 const char* const kSmallBead = R"(title = "A small bead"
 text = "Weld along the plate."
 level = 2
@@ -49,7 +50,7 @@ elevation = 30
 name = "metal"
 )";
 
-/// Its last move is long, so that a test that stands still for a while finds the demonstration under way.
+/// Demonstration with a long last move, so that a test that pauses for a while finds it still running.
 const char* const kSmallPath = R"(start_mm = [-10, 20, 0]
 work_angle_deg = 90
 travel_angle_deg = 0
@@ -71,7 +72,7 @@ to_mm = [10, 20, 0]
 speed_mm_s = 0.5
 )";
 
-/// The build's data with two lessons only: the classic one and "small-bead".
+/// Makes a copy of the build's data with two lessons only: the classic one and "small-bead".
 fs::path smallCatalogue() {
     const fs::path share = scratchFolder("home-data");
     const fs::path built = test::buildFolder() / "share" / "meltpool";
@@ -91,7 +92,7 @@ void waitForPage(TrainerWindow& window, const std::string& page) {
     window.waitFor("the page " + page, [&](const json& s) { return s.at("page") == page; });
 }
 
-/// A person leads the torch 16 mm along the seam and lets go; answers what is seen with the result.
+/// Leads the torch 16 mm along the seam and releases it, as a person does; returns the row with the result.
 json weldSmallBead(TrainerWindow& window) {
     const auto tip = [](const json& s) { return s.at("torch").at("tip_mm").at(0).get<double>(); };
     window.moveMouse(200, 300);
@@ -111,7 +112,7 @@ json weldSmallBead(TrainerWindow& window) {
     return window.waitFor("the result", [](const json& s) { return s.at("panels").at("result") == true; });
 }
 
-/// Welds again where the machine was so busy that samples of the torch were lost, for which there is no score.
+/// Welds again if the machine was so busy that samples of the torch were lost, since such an attempt has no score.
 json weldToScore(TrainerWindow& window) {
     json judged = weldSmallBead(window);
     const auto lost = [&] {
@@ -159,7 +160,7 @@ TEST_CASE("without a lesson named the window opens on the list of lessons, and n
     window.click("home.lesson.gmaw-bead");
     waitForPage(window, "start");
     CHECK(window.settle().at("places").contains("simulation.voltage"));
-    CHECK_FALSE(window.state().at("places").contains("start.spacing_mm")); // in the expert drawer
+    CHECK_FALSE(window.state().at("places").contains("start.spacing_mm")); // only in the expert drawer
     window.takePicture("lesson-page");
 }
 
@@ -180,7 +181,7 @@ TEST_CASE("the demonstration is stopped, moved and left for one's own attempt by
         return shown(s).at("welds") == false && std::abs(shown(s).at("time").get<double>() - time - 0.5) < 1e-6;
     });
     const json moved = window.settle();
-    CHECK(moved.at("metal").at("molten") == 0); // the metal as it was at first
+    CHECK(moved.at("metal").at("molten") == 0); // the metal is in its first state again
     window.pull("demonstration.time", 0.75);
     window.waitFor("the torch near the end", [&](const json& s) {
         return shown(s).at("time").get<double>() > 0.6 * shown(s).at("duration").get<double>();
@@ -201,7 +202,7 @@ TEST_CASE("two strokes of Enter start the default lesson; H, Escape and the arro
     CHECK(window.state().at("page") == "home");
     window.key("Return");
     waitForPage(window, "start");
-    CHECK(parameterIn(window.settle(), "start", "particles") == "1000"); // as kept in the settings
+    CHECK(parameterIn(window.settle(), "start", "particles") == "1000"); // value from the settings file
     window.key("Return");
     window.waitFor("the metal", [](const json& s) { return s.at("metal").at("steps") > 0; });
     CHECK(window.state().at("metal").at("particles") == 1000);
@@ -245,7 +246,7 @@ TEST_CASE("a lesson is picked from the list, welded by keys and mouse, judged, w
     CHECK_THAT(readTextFile(scores),
                containsText("small-bead") && containsText("score = ") && containsText("cues = [\"speed\", \"arc\"]"));
 
-    window.key("x"); // the weld cut open, and the cut moved by its slider
+    window.key("x"); // cuts the weld open and moves the cut by its slider
     const json cut = window.waitFor(
         "the cut", [](const json& s) { return !s.at("cut").is_null() && s.at("places").contains("cut.place"); });
     CHECK(cut.at("cut").at("judged") == true);

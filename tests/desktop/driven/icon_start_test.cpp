@@ -1,4 +1,4 @@
-// A start from the menu entry: why the trainer ended stands in a window.
+// Tests a start from the menu entry: a window shows why the trainer ended.
 #include "core/base/text.hpp"
 #include "tests/desktop/driven/driver.hpp"
 #include "tests/support/catch.hpp"
@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The program as the menu entry starts it, on a display of its own.
+/// Runs the program as the menu entry starts it, on a display of its own.
 class IconStart {
   public:
     IconStart(const std::string& name, int dotsPerInch, std::vector<std::string> words,
@@ -37,15 +37,15 @@ class IconStart {
         words.insert(words.begin(), "xdotool");
         return runCommand(words, {{"DISPLAY", display_.name()}});
     }
-    /// Waits for a window of this class and keeps a picture of the display.
+    /// Waits for a window of this class and saves a picture of the display.
     void waitForWindow(const std::string& picture) const {
         REQUIRE(xdotool({"search", "--sync", "--onlyvisible", "--class", "^meltpool$"}) == 0);
-        std::this_thread::sleep_for(std::chrono::seconds(1)); // until it is drawn
+        std::this_thread::sleep_for(std::chrono::seconds(1)); // time until it is drawn
         const fs::path file = test::buildFolder() / "desktop-pictures" / picture;
         fs::create_directories(file.parent_path());
         CHECK(runCommand({"import", "-window", "root", file.string()}, {{"DISPLAY", display_.name()}}) == 0);
     }
-    /// Place and size of the one window, pixels.
+    /// Returns place and size of the one window, pixels.
     std::array<int, 4> window() const {
         Display* display = XOpenDisplay(display_.name().c_str());
         REQUIRE(display != nullptr);
@@ -90,9 +90,9 @@ TEST_CASE("on a dense screen the window with the error is larger, and its button
         start.xdotool({"mousemove", std::to_string(x + right), std::to_string(y + down), "click", "1"});
         std::this_thread::sleep_for(std::chrono::seconds(1));
     };
-    click(100, height - 80); // beside the button
+    click(100, height - 80); // next to the button
     CHECK(start.process().running());
-    click(width - 56 - 20, height - 56 - 20); // its margin to both edges, and a little into it
+    click(width - 56 - 20, height - 56 - 20); // the margin to both edges, and a little into the button
     CHECK(start.process().wait(60) == 2);
 }
 

@@ -1,4 +1,4 @@
-// Every key and mouse action of the trainer has its effect, read from the telemetry.
+// Tests that every key and mouse action of the trainer has its effect in the telemetry.
 #include "tests/desktop/driven/driver.hpp"
 #include "tests/support/catch.hpp"
 
@@ -27,14 +27,14 @@ bool atHome(const json& state) {
     return std::abs(p[0]) + std::abs(p[1]) + std::abs(p[2]) < 1e-5;
 }
 
-/// Horizontal part of the camera's direction, unit length.
+/// Returns the horizontal part of the camera's direction, unit length.
 std::array<double, 2> away(const json& state) {
     const auto f = state.at("camera").at("forward").get<std::array<double, 3>>();
     const double length = std::hypot(f[0], f[2]);
     return {f[0] / length, f[2] / length};
 }
 
-/// Waits until the source has moved, then how far away from the person, to the right and up.
+/// Waits until the source has moved; returns its way: away from the person, to the right and up.
 std::array<double, 3> movedAfter(TrainerWindow& window, const json& before) {
     const json after =
         window.waitFor("the source to move", [&](const json& s) { return sourceOf(s) != sourceOf(before); });
@@ -47,7 +47,7 @@ void mouseBy(const TrainerWindow& window, int x, int y) {
     window.xdotool({"mousemove_relative", "--", std::to_string(x), std::to_string(y)});
 }
 
-/// In interact mode, the mouse free.
+/// Checks the orbit keys in interact mode, with the mouse free.
 void checkOrbitKeys(TrainerWindow& window) {
     json s = window.state();
     const double azimuth = cameraValue(s, "azimuth");
@@ -70,7 +70,7 @@ void checkOrbitKeys(TrainerWindow& window) {
                    [&](const json& t) { return cameraValue(t, "distance") > cameraValue(s, "distance") * 1.05; });
 }
 
-/// Changes to view mode.
+/// Checks the fly keys; changes to view mode.
 void checkFlyKeys(TrainerWindow& window) {
     window.key("v");
     const json s = window.waitFor("view mode", [](const json& t) { return t.at("mode") == "view"; });
@@ -95,7 +95,7 @@ void checkFlyKeys(TrainerWindow& window) {
     CHECK(window.settle().at("metal").at("steps") == steps);
 }
 
-/// In view mode; captures the mouse.
+/// Checks looking around in view mode; captures the mouse.
 void checkCapturedLook(TrainerWindow& window) {
     window.key("c");
     const json s = window.waitFor("the mouse to be captured", [](const json& t) { return t.at("captured") == true; });
@@ -112,7 +112,7 @@ void checkCapturedLook(TrainerWindow& window) {
     CHECK(atHome(window.settle()));
 }
 
-/// With the mouse captured at first.
+/// Checks the capture keys; starts with the mouse captured.
 void checkCaptureKeys(TrainerWindow& window) {
     window.key("c");
     window.waitFor("the mouse to be free", [](const json& t) { return t.at("captured") == false; });
@@ -136,10 +136,10 @@ void checkPanelKeys(TrainerWindow& window) {
     }
 }
 
-/// From the start, where the source stands in a corner of the box.
+/// Checks the source's keys from the start, with the source in a corner of the box.
 void checkSourceKeys(TrainerWindow& window) {
     json s = window.state();
-    // Away from the corner first, so that a step in every direction is possible.
+    // The source leaves the corner first, so that a step in every direction is possible.
     const double step = std::stod(parameterIn(s, "controls", "source_step"));
     for (int i = 0; i < 12; ++i)
         window.key("Next");
@@ -162,7 +162,7 @@ void checkSourceKeys(TrainerWindow& window) {
     }
 }
 
-/// Captures the mouse.
+/// Checks the captured mouse; captures it.
 void checkCapturedMouse(TrainerWindow& window) {
     window.moveMouse(300, 320);
     window.key("c");
@@ -189,9 +189,9 @@ void checkCapturedMouse(TrainerWindow& window) {
         CHECK(std::abs(c) <= 1);
 }
 
-/// With the mouse captured; frees it.
+/// Checks heat and cold with the mouse captured; frees it.
 void checkHeatAndCold(TrainerWindow& window) {
-    // The reset key puts the source home; from there to the metal's corner, which melts.
+    // The reset key puts the source at its first place; from there it goes to the metal's corner, which melts.
     window.key("F5");
     window.waitFor("reset", [](const json& t) { return atHome(t) && t.at("metal").at("time") < 2; });
     for (int i = 0; i < 8; ++i)
@@ -218,7 +218,7 @@ void checkHeatAndCold(TrainerWindow& window) {
     window.waitFor("a free mouse", [](const json& t) { return t.at("captured") == false; });
 }
 
-/// A free mouse moves the source and heats by a drag on the picture only, not by a click on a panel.
+/// Checks that a free mouse moves the source and heats by a drag on the picture only, not by a click on a panel.
 void checkFreeMouse(TrainerWindow& window) {
     json s = window.settle();
     window.moveMouse(320, 340);
@@ -283,7 +283,8 @@ TEST_CASE("simulated time never outruns real time") {
                rows.back().metal > begin.at("metal").at("time").get<double>() + 0.5;
     });
     // A row's metal is as old as its frame's begin, its clock is read at the frame's end: between two rows the metal
-    // goes no farther than the clock from the row before the first of them, which was written before that frame began.
+    // advances no farther than the clock since the row before the first of them, which was written before that frame
+    // began.
     constexpr double kOwed = 1.0 / 60; // s, a step
     double ahead = -1;
     for (size_t i = 1; i < rows.size(); ++i)
@@ -318,7 +319,7 @@ TEST_CASE("the keys have the names of the keyboard that is there, and do the sam
     window.key("F1");
 
     layout({"us", "-variant", "dvorak"});
-    window.key("F2"); // with a key the layout is read again
+    window.key("F2"); // the program reads the layout again with a key
     window.waitFor("names of a Dvorak keyboard", named("W", ","));
     CHECK(named("H", "D")(window.state()));
     layout({"ru"});

@@ -1,5 +1,5 @@
-// The window ends without warning or on a signal in mid-lesson: record and recording are whole and nearly all of the
-// metal's time is in them.
+// Tests that the window, ended without warning or by a signal in mid-lesson, leaves a complete record and recording
+// with nearly all of the metal's time.
 #include "core/base/text.hpp"
 #include "core/training/attempt/recording_reader.hpp"
 #include "tests/desktop/driven/driver.hpp"
@@ -20,12 +20,12 @@ using nlohmann::json;
 
 namespace {
 
-/// s of the metal's time that may be missing in a record or a recording.
+/// Metal's time that may be missing in a record or a recording, s.
 constexpr double kMayBeMissing = 0.2;
 
-/// The record of an ended window is whole; `ended`: it says why it ended.
+/// Checks that the record of an ended window is complete; `ended`: it gives the reason of the end.
 void checkLeft(const TrainerWindow& window, bool ended) {
-    const json last = window.state(); // what the program told last
+    const json last = window.state(); // last row of the program
     const RecordCheck record = checkRecord(window.folder() / "record.csv");
     for (const std::string& line : record.broken)
         UNSCOPED_INFO(line);
@@ -39,7 +39,7 @@ void checkLeft(const TrainerWindow& window, bool ended) {
     CHECK((recording.end ? recording.end->reason : "") == record.ended);
 }
 
-/// Starts a lesson, ends it by the signal after `seconds`, and looks at its record.
+/// Starts a lesson, ends it by the signal after `seconds`, and checks its record.
 void endInMidLesson(int signal, double seconds) {
     INFO("signal " << signal << " after " << seconds << " s");
     TrainerWindow window("kill", {.arguments = {"--record", "record.csv"}});
@@ -77,7 +77,7 @@ TEST_CASE("a window whose terminal is closed ends like one that is asked to: set
     window.process().signal(SIGHUP);
     CHECK(window.finish() == 0);
     checkLeft(window, true);
-    CHECK(readTextFile(window.settingsFile()) != before); // all values, no longer the test's few
+    CHECK(readTextFile(window.settingsFile()) != before); // all values, not only the test's few
 }
 
 TEST_CASE("a window whose display goes away keeps settings and record, and says so") {

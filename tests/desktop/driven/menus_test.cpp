@@ -1,4 +1,4 @@
-// The running menus, the window's sizes, shader reload, and pictures of every screen, mode and material.
+// Tests the running menus, the window's sizes, shader reload, and pictures of every screen, mode and material.
 #include "core/base/image.hpp"
 #include "core/base/text.hpp"
 #include "tests/desktop/driven/driver.hpp"
@@ -16,7 +16,7 @@ using nlohmann::json;
 
 namespace {
 
-/// In the menus' order, from top to bottom: numbers whose slider is pulled, and switches that are clicked.
+/// Controls in the menus' order, from top to bottom: numbers with a slider to pull, and switches to click.
 struct Control {
     const char* name;
     bool isSwitch = false;
@@ -102,7 +102,7 @@ TEST_CASE("the picture is as coarse as the view menu says, the window tells, and
 TEST_CASE("everything in the machine menu and its expert drawer is live") {
     TrainerWindow window("simulation-menu", {});
     window.start();
-    CHECK_FALSE(window.settle().at("places").contains("simulation.viscosity")); // in the expert drawer
+    CHECK_FALSE(window.settle().at("places").contains("simulation.viscosity")); // only in the expert drawer
     window.click("simulation.group.Expert");
     for (const std::string& name : kSimulationNumbers) {
         INFO(name);
@@ -142,7 +142,7 @@ TEST_CASE(
     window.start();
     const auto beside = [](const json& s) { return s.at("steps_beside") == true; };
     window.waitFor("steps beside the picture at low detail", beside);
-    window.key("F4"); // who looks at the timings sees each pass alone
+    window.key("F4"); // the timings panel shows each pass alone
     window.waitFor("steps before the picture", [&](const json& s) { return !beside(s); });
     window.key("F4");
     window.waitFor("steps beside the picture again", beside);
@@ -191,7 +191,7 @@ TEST_CASE("the window can be resized and goes full screen and back") {
         const Image picture = readPng(window.takePicture("resized"));
         CHECK(picture.width == width);
         CHECK(picture.height == height);
-        // The bar's last button stands at the new right edge.
+        // The bar's last button is at the new right edge.
         const auto place = window.state().at("places").at("bar.help").get<std::array<double, 4>>();
         CHECK(place[0] + place[2] == Approx(width - 14).margin(8));
     }
@@ -267,7 +267,7 @@ TEST_CASE("pictures of every screen, render mode, colour and material from the r
         window.click("view." + group + "." + choice);
         window.waitFor(choice, [&](const json& s) { return parameterIn(s, "view", group) == choice; });
         window.moveMouse(900, 400);
-        // The glide of the picture beside a panel has ended, so that only the choice makes the difference.
+        // The picture's glide next to a panel has ended, so that only the choice makes the difference.
         for (int i = 0; i < 4; ++i)
             window.settle();
         taken.emplace_back(choice, readPng(window.takePicture(group + "-" + choice)));

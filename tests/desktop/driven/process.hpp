@@ -1,4 +1,4 @@
-// A child process that dies with the test.
+// Runs a child process that ends with the test.
 #pragma once
 
 #include <filesystem>
@@ -12,10 +12,10 @@ class Process {
   public:
     struct Options {
         std::vector<std::string> command = {};
-        std::map<std::string, std::string> environment = {}; ///< on top of this process's own; an empty value removes
-        std::filesystem::path output = {};                   ///< standard output and error go here; empty: nowhere
-        std::filesystem::path folder = {};                   ///< it runs there; empty: here
-        int passedPipe = -1;                                 ///< a file descriptor the child keeps, as number 3
+        std::map<std::string, std::string> environment = {}; ///< changes to this process's own; an empty value removes
+        std::filesystem::path output = {};                   ///< file for standard output and error; empty: none
+        std::filesystem::path folder = {};                   ///< working folder; empty: this process's
+        int passedPipe = -1;                                 ///< file descriptor that the child gets, as number 3
     };
 
     explicit Process(const Options& options);
@@ -26,7 +26,7 @@ class Process {
     bool running();
     int pid() const { return pid_; }
     void signal(int number) const;
-    /// Waits for the end, at most `seconds`; its exit code, 128 + N when signal N ended it, -1 when it still runs.
+    /// Waits for the end, at most `seconds`; returns the exit code, 128 + N if signal N ended it, -1 if it still runs.
     int wait(double seconds);
 
   private:
@@ -35,7 +35,7 @@ class Process {
     bool ended_ = false;
 };
 
-/// Runs a command to its end; its exit code (127: not found).
+/// Runs a command to its end; returns its exit code (127: not found).
 int runCommand(const std::vector<std::string>& command, const std::map<std::string, std::string>& environment = {});
 
 } // namespace meltpool::test

@@ -1,4 +1,5 @@
-// Records over resets and restarts, without a place to write, and the pace of a program that gets too little processor.
+// Tests records over resets and restarts, without a place to write, and the pace of a program that gets too little
+// processor time.
 #include "core/base/text.hpp"
 #include "core/training/lesson/recorded_attempt.hpp"
 #include "tests/desktop/driven/driver.hpp"
@@ -30,8 +31,8 @@ bool toldSlow(const json& row) {
     return row.at("messages").dump().find("% of real time") != std::string::npos;
 }
 
-/// Waits until a program that has few frames keeps the clock all the same. A machine that is busy with other things has
-/// no time for that: there each frame makes more than three steps, and the person is told; or nothing can be said.
+/// Waits until a program with few frames keeps pace with the clock. A busy machine has no time for that: its frames
+/// make more than three steps each, and a message says so; or it is too busy to judge.
 void waitForFullPace(TrainerWindow& window) {
     BusyMachine machine;
     const json begin = window.state();
@@ -40,7 +41,7 @@ void waitForFullPace(TrainerWindow& window) {
         const double seconds = row.at("seconds").get<double>() - begin.at("seconds").get<double>();
         const double frames = row.at("frame").get<double>() - begin.at("frame").get<double>();
         const double steps = row.at("metal").at("steps").get<double>() - begin.at("metal").at("steps").get<double>();
-        if (seconds < 3) return false; // the rate of frames is one over a while
+        if (seconds < 3) return false; // the rate of frames is an average over a while
         why = "at full pace";
         if (row.at("frames_per_second") < 25 && row.at("metal").at("speed") > 0.95) return true;
         why = "the machine is busy, which is told";
@@ -105,7 +106,7 @@ TEST_CASE("Reset, Restart and the window's cross leave a whole record of each at
     CHECK(endOf(folder / "weld.csv") == "reset");
     CHECK(endOf(folder / "weld-2.csv") == "start menu");
     CHECK(endOf(folder / "weld-3.csv") == "the program ended");
-    // Nobody has asked for recordings; each attempt has one, with the end of its record.
+    // Every attempt has a recording without a request, with the end of its record.
     std::vector<std::string> ended;
     for (const fs::path& file : recordingsIn(window.recordingsFolder())) {
         const auto attempt = readRecordedAttempt(file);

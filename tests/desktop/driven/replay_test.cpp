@@ -1,4 +1,4 @@
-// A kept attempt in the running window: it plays to its end, is brought to another moment, and has the same bits again.
+// Tests a saved attempt in the running window: it plays to its end, moves to another moment, and has equal bits again.
 #include "core/base/text.hpp"
 #include "tests/desktop/driven/driver.hpp"
 #include "tests/support/catch.hpp"
@@ -12,7 +12,7 @@ using nlohmann::json;
 
 namespace {
 
-/// The classic demonstration with few particles; the telemetry of a run is a record.
+/// Runs the classic demonstration with few particles; the telemetry of a run is a record.
 fs::path recordedAttempt() {
     const fs::path folder = scratchFolder("replay-record");
     REQUIRE(runCommand({MELTPOOL_PROGRAM, "run", "classic", "--out", folder.string(), "--seconds", "2", "--set",

@@ -1,4 +1,4 @@
-// The window on small, large and dense screens: it fits, and every page can be used at each size of its text.
+// Tests the window on small, large and dense screens: it fits, and every page is usable at each size of its text.
 #include "core/base/text.hpp"
 #include "tests/desktop/driven/driver.hpp"
 #include "tests/support/catch.hpp"
@@ -25,7 +25,7 @@ std::string settingsFor(const Screen& screen) {
            screen.textSize + "\n";
 }
 
-/// The control is whole inside the window, without scrolling.
+/// Requires that the control is whole inside the window, without scrolling.
 void requireInSight(const json& state, const std::string& name) {
     INFO(name);
     REQUIRE(state.at("places").contains(name));
@@ -41,7 +41,7 @@ void usePages(TrainerWindow& window, const std::string& name) {
     json s = window.settle();
     for (const char* control : {"start.start", "start.defaults", "start.home"})
         requireInSight(s, control);
-    window.click("start.group.Expert"); // what scrolls is reached
+    window.click("start.group.Expert"); // scrolling reaches its content
     window.takePicture(name + "-start");
     window.click("start.home");
     s = window.waitFor("the list", [](const json& t) { return t.at("page") == "home"; });
@@ -56,7 +56,7 @@ void usePages(TrainerWindow& window, const std::string& name) {
     window.key("F1");
     window.waitFor("no help", [](const json& t) { return t.at("panels").at("help") == false; });
     window.place("home.lesson.classic");
-    window.key("Return"); // the message of the last picture may lie over the lesson
+    window.key("Return"); // the message of the last picture may cover the lesson
     window.waitFor("the lesson's page", [](const json& t) { return t.at("page") == "start"; });
     window.start();
     s = window.settle();
@@ -108,7 +108,7 @@ TEST_CASE("a size that a small screen could not give is kept for the next start,
     other.waitFor("the new size", [](const json& s) { return s.at("window").at("size") == json({1400, 980}); });
     other.process().signal(SIGTERM);
     CHECK(other.finish() == 0);
-    CHECK(sizeIn(other, "width") == 700); // as large as 700 points at an ordinary density
+    CHECK(sizeIn(other, "width") == 700); // equal to 700 points at an ordinary density
     CHECK(sizeIn(other, "height") == 490);
 }
 

@@ -1,4 +1,4 @@
-// A person works for a long time with every panel open: the window lives, and its memory does not grow.
+// Tests a person's long work with every panel open: the window lives, and its memory does not grow.
 #include "core/base/text.hpp"
 #include "tests/desktop/driven/driver.hpp"
 #include "tests/support/catch.hpp"
@@ -23,7 +23,7 @@ double since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-/// A line of a process's status, KiB: `VmRSS` is what it holds, `RssAnon` its own part, `RssFile` what is read of
+/// Returns a line of a process's status, KiB: `VmRSS` is its total, `RssAnon` its own part, `RssFile` its part of
 /// files.
 double statusKib(int pid, const std::string& line) {
     const std::string status = readTextFile("/proc/" + std::to_string(pid) + "/status");
@@ -40,7 +40,7 @@ void openEveryPanel(TrainerWindow& window) {
     }
 }
 
-/// What a person does in a turn: heats along a way, looks at help and from elsewhere, freezes, starts again.
+/// Does a person's turn: heats along a path, opens the help, looks from elsewhere, freezes, starts again.
 void work(TrainerWindow& window, int turn) {
     window.moveMouse(480, 300);
     window.xdotool({"mousedown", "1"});
@@ -57,8 +57,7 @@ void work(TrainerWindow& window, int turn) {
     window.settle();
 }
 
-/// What a trainee does in a turn: watches the expert for a second of the metal's time, welds for a second, begins
-/// again.
+/// Does a trainee's turn: watches the expert for a second of the metal's time, welds for a second, begins again.
 void weld(TrainerWindow& window) {
     const auto waitForPage = [&window](const std::string& page) {
         window.waitFor("the page " + page, [page](const json& s) { return s.at("page") == page; });
@@ -82,13 +81,13 @@ void weld(TrainerWindow& window) {
     waitForPage("start");
 }
 
-/// Memory and the length of turns in the course of a soak.
+/// Samples of memory and the length of turns in the course of a soak.
 struct Soak {
-    std::vector<double> seconds; ///< at the end of a turn
-    std::vector<double> turns;   ///< s, the length of each
+    std::vector<double> seconds; ///< time at the end of a turn
+    std::vector<double> turns;   ///< s, length of each
     std::vector<double> kib;
 
-    /// Median of the samples between two moments.
+    /// Returns the median of the samples between two moments.
     double median(const std::vector<double>& samples, double from, double to) const {
         std::vector<double> chosen;
         for (size_t i = 0; i < samples.size(); ++i)
@@ -98,8 +97,8 @@ struct Soak {
         return chosen[chosen.size() / 2];
     }
 
-    /// What happens in the first minute fills buffers that are kept; then a tenth of the time is held against the last.
-    /// `growth`: the most that is allowed, of the first.
+    /// Compares the first tenth of the time after a minute with the last; the first minute fills lasting buffers.
+    /// `growth`: the allowed share of the first.
     void holds(double growth) const {
         const double end = seconds.back(), tenth = (end - 60) / 10;
         const double first = median(kib, 60, 60 + tenth), last = median(kib, end - tenth, end);
@@ -110,7 +109,7 @@ struct Soak {
     }
 };
 
-/// s; MELTPOOL_SOAK_SECONDS changes it.
+/// Returns the length of the soak, s; MELTPOOL_SOAK_SECONDS changes it.
 double lengthAsked() {
     const char* asked = std::getenv("MELTPOOL_SOAK_SECONDS");
     const double length = asked != nullptr ? std::strtod(asked, nullptr) : 600;
@@ -121,7 +120,7 @@ double lengthAsked() {
 /// Takes turns for `length` seconds, at least so many.
 Soak soak(TrainerWindow& window, double length, int turns, const std::function<void(int)>& turn) {
     Soak soak;
-    std::ofstream course(window.folder() / "memory.csv"); // to see when it grew, if it did
+    std::ofstream course(window.folder() / "memory.csv"); // the course shows the time of any growth
     course << "s,turn_s,VmRSS_kib,RssAnon_kib,RssFile_kib\n";
     const int pid = window.process().pid();
     const auto begin = Clock::now();
@@ -145,7 +144,7 @@ Soak soakClassic(const std::string& name, double length, int turns) {
     window.start();
     openEveryPanel(window);
     const Soak memory = soak(window, length, turns, [&window](int turn) { work(window, turn); });
-    openEveryPanel(window); // all are still there
+    openEveryPanel(window); // all panels are still there
     window.process().signal(SIGTERM);
     CHECK(window.finish() == 0);
     CHECK(checkRecord(window.folder() / "record.csv").whole());
@@ -163,8 +162,8 @@ TEST_CASE("the window's memory stays within 1 % while a person works for long", 
     soakClassic("soak", lengthAsked(), 1).holds(0.01);
 }
 
-// What a lesson leaves behind goes with the next flush of the steps' thread, up to ten seconds later: samples differ by
-// the 12 MB of a lesson, 5 %. A lesson that is kept each turn adds as much every half minute.
+// The next flush of the steps' thread frees a lesson's remains, up to ten seconds later: samples differ by the 12 MB of
+// a lesson, 5 %. A leak of a lesson a turn adds as much every half minute.
 TEST_CASE("the window's memory stays within 6 % while a trainee watches and welds for long", "[long]") {
     TrainerWindow window("weld-soak", {.settings = "[window]\nwidth = 960\nheight = 640\n", .lesson = "gmaw-bead"});
     soak(window, lengthAsked(), 2, [&window](int) { weld(window); }).holds(0.06);

@@ -1,4 +1,4 @@
-// The window without a sound device, and the switches of the sound.
+// Tests the window without a sound device, and the switches of the sound.
 #include "core/base/text.hpp"
 #include "tests/desktop/driven/driver.hpp"
 #include "tests/support/catch.hpp"

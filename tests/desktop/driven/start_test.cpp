@@ -1,4 +1,4 @@
-// Start menu, settings over restarts, broken settings, ends of the program, and drivers that are too old.
+// Tests start menu, settings over restarts, broken settings, ends of the program, and drivers that are too old.
 #include "core/base/text.hpp"
 #include "tests/desktop/driven/driver.hpp"
 #include "tests/support/catch.hpp"
@@ -29,7 +29,7 @@ TEST_CASE("the start menu sets particles, arrangement, influence and grid; start
     json s = window.state();
     CHECK(s.at("page") == "start");
     CHECK(parameterIn(s, "start", "particles") == "1000");
-    CHECK_FALSE(s.at("places").contains("start.particles")); // in the expert drawer
+    CHECK_FALSE(s.at("places").contains("start.particles")); // only in the expert drawer
     window.click("start.group.Expert");
     window.change("start", "particles", [&] { window.pull("start.particles", 0.3); });
     window.change("start", "arrangement", [&] { window.click("start.arrangement.random"); });
@@ -116,7 +116,7 @@ TEST_CASE("broken settings are told on the screen and set aside, never a crash")
     const json s = window.state();
     CHECK(s.at("page") == "start");
     CHECK(parameterIn(s, "start", "particles") == "20032");
-    // A warning goes after a while.
+    // A warning disappears after a while.
     window.waitFor("the fault and the name of the copy", [](const json& row) {
         return showsMessage(row, "settings.toml:1") && showsMessage(row, "settings.broken-1.toml");
     });

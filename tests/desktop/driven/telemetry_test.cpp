@@ -1,4 +1,4 @@
-// The telemetry's disk is full: the window says so, goes on, and its exit code tells it.
+// Tests a full disk for the telemetry: the window says so and continues, and its exit code reports it.
 #include "core/base/image.hpp"
 #include "core/base/text.hpp"
 #include "tests/desktop/driven/driver.hpp"
@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-/// s, far beyond what anything here takes.
+/// Time limit, s, far beyond any run of these tests.
 constexpr double kPatience = 300;
 
 void waitUntil(const std::string& what, const std::function<bool()>& condition) {
@@ -29,7 +29,7 @@ void waitUntil(const std::string& what, const std::function<bool()>& condition) 
     }
 }
 
-/// A window whose telemetry goes to `telemetry`, with its scratch folder `name`; nothing is read of it.
+/// Window whose telemetry goes to `telemetry`, with its scratch folder `name`; the test reads no rows of it.
 struct BlindWindow {
     BlindWindow(const std::string& name, const std::string& telemetry)
         : folder(scratchFolder(name)),
@@ -61,7 +61,7 @@ struct BlindWindow {
         return found;
     }
 
-    /// The window as it looks now.
+    /// Takes a picture of the window as it is now.
     Image picture() {
         waitUntil("the window", [&] {
             runCommand({"xdotool", "mousemove", "5", "635"}, display);
@@ -77,7 +77,7 @@ struct BlindWindow {
         return readPng(pictures().front());
     }
 
-    /// The window as it looks when two pictures in a row are alike: in its first frames some parts are missing.
+    /// Takes a picture of the window once two in a row are alike: its first frames lack some parts.
     Image settledPicture() {
         Image last, now = picture();
         waitUntil("two pictures that are alike", [&] {
@@ -93,7 +93,7 @@ struct BlindWindow {
     Process process;
 };
 
-/// Pixels of the upper quarter, where messages stand, that are not alike.
+/// Counts the pixels of the upper quarter, the place of messages, that are not alike.
 size_t differentAbove(const Image& a, const Image& b) {
     REQUIRE(a.width == b.width);
     REQUIRE(a.height == b.height);
@@ -115,7 +115,7 @@ TEST_CASE("a full disk under the telemetry is told in the window, which goes on,
 
     BlindWindow full("telemetry-full", "/dev/full");
     const std::string kSentence = "/dev/full: the telemetry cannot be written on; expected free space";
-    // A machine that is busy takes seconds to its first row.
+    // A busy machine takes seconds to its first row.
     waitUntil("the sentence", [&] {
         return fs::exists(full.folder / "output.txt") &&
                readTextFile(full.folder / "output.txt").find(kSentence) != std::string::npos;
@@ -127,7 +127,7 @@ TEST_CASE("a full disk under the telemetry is told in the window, which goes on,
     const std::string words = readTextFile(full.folder / "output.txt");
     const size_t sentence = words.find(kSentence);
     CHECK(sentence != std::string::npos);
-    CHECK(words.find("/dev/full", sentence + 1) == std::string::npos); // once
+    CHECK(words.find("/dev/full", sentence + 1) == std::string::npos); // only once
 }
 
 } // namespace meltpool::test

@@ -1,4 +1,4 @@
-// Rights of a person during each activity, and who leads the torch then.
+// Tests the rights of a person during each activity, and the leader of the torch.
 #include "app/activities/activities.hpp"
 #include "app/session/torch_lead.hpp"
 #include "tests/support/catch.hpp"
@@ -7,7 +7,7 @@ namespace meltpool {
 
 namespace {
 
-/// Nothing could make it cheaper: it is measured once.
+/// Makes a lesson that nothing could make cheaper: it is measured once.
 Lesson coarsest() {
     Lesson lesson;
     lesson.model = LessonModel::Weld;
@@ -94,10 +94,10 @@ TEST_CASE("while the machine's speed is measured nothing that a person does reac
     CHECK(trial.nextAttempt(false) == NextAttempt::none);
     while (trial.measuring())
         trial.count(0.25, 0.1);
-    CHECK_FALSE(trial.hurries()); // it asks how to go on
+    CHECK_FALSE(trial.hurries()); // the trial asks how to continue
     CHECK(trial.allowed().values);
     CHECK(trial.nextAttempt(false) == NextAttempt::none);
-    CHECK(trial.takeVerdict() == SpeedTrial::Verdict::more); // only a frame of its own leaves one
+    CHECK(trial.takeVerdict() == SpeedTrial::Verdict::more); // only a frame of its own leaves a verdict
 }
 
 } // namespace meltpool

@@ -1,4 +1,4 @@
-// The list of kept attempts and the panel of two of them, drawn without a window.
+// Tests the list of saved attempts and the panel of two of them, drawn without a window.
 #include "app/ui/panels.hpp"
 #include "core/base/resources.hpp"
 #include "tests/desktop/parts/drawn_interface.hpp"
@@ -9,7 +9,7 @@ namespace meltpool {
 
 namespace {
 
-/// The home page with these attempts in its list.
+/// Shows the home page with these attempts in its list.
 class Listed {
   public:
     Listed(const std::string& name, std::vector<ReplayEntry> entries)
@@ -44,7 +44,7 @@ TEST_CASE("each attempt of the list can be played, be the ghost, and be compared
     CHECK(home.attempts.chosen() == "new");
     CHECK(click("home.attempt.0.compare") == MenuRequest::none);
     CHECK(home.attempts.marked(0));
-    interface.draw(content); // a line more says what to do next
+    interface.draw(content); // the panel shows the next step in an additional line
     CHECK(click("home.attempt.1.compare") == MenuRequest::compare);
     CHECK(home.attempts.pair()[0].file == "old");
 }
@@ -52,7 +52,7 @@ TEST_CASE("each attempt of the list can be played, be the ghost, and be compared
 TEST_CASE("a long list of attempts has pages") {
     std::vector<ReplayEntry> entries;
     for (int i = 0; i < 5; ++i)
-        entries.push_back({std::to_string(i), "knitting", "once"}); // a lesson that is gone has no title
+        entries.push_back({std::to_string(i), "knitting", "once"}); // a lesson that no longer exists has no title
     Listed listed("attempts-pages", std::move(entries));
     Home& home = listed.home;
     Activities activities;
@@ -63,7 +63,7 @@ TEST_CASE("a long list of attempts has pages") {
     CHECK_FALSE(interface.shows("home.attempt.2.play"));
     interface.click("home.attempts.older", content);
     interface.click("home.attempts.older", content);
-    interface.click("home.attempts.older", content); // there are three
+    interface.click("home.attempts.older", content); // there are three pages
     CHECK(home.attempts.page == 2);
     CHECK(interface.shows("home.attempt.4.play"));
 }

@@ -1,4 +1,5 @@
-// Best scores: what counts, that they come back, and that a file that cannot be read is told and kept.
+// Tests best scores: the rules of counting, their return from the file, and an unreadable file, which is reported and
+// preserved.
 #include "app/library/best_scores.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
@@ -42,7 +43,7 @@ TEST_CASE("an attempt counts where it is scored; the verdict goes with it") {
     CHECK(bestScoreText({0, false, 1, false, true}) == "Best 0, changed values");
     CHECK(bestScoreText({70, true, 1, false, false, true}) == "Best 70, accepted, guided");
     CHECK(bestScoreText({70, false, 1, false, false, false, 0.064}) == "Best 70, metal at 6 %");
-    CHECK(bestScoreText({70, false, 1, false, false, false, 0.96}) == "Best 70"); // as good as the clock
+    CHECK(bestScoreText({70, false, 1, false, false, false, 0.96}) == "Best 70"); // metal as fast as the clock
     judgement.realTime = 0.25;
     CHECK(countedScore(judgement)->realTime == 0.25);
     BestScore helped{70};
@@ -63,7 +64,7 @@ TEST_CASE("the better score of a lesson stays, with its help, from one start to 
         CHECK(scores.find("gmaw-bead") == nullptr);
         CHECK(scores.offer("gmaw-bead", {61.5, false, 4, false, true}));
         CHECK(scores.offer("tee fillet \"2F\"", {80, true}));
-        CHECK_FALSE(scores.offer("gmaw-bead", {61.5, true})); // no better
+        CHECK_FALSE(scores.offer("gmaw-bead", {61.5, true})); // a score that is no better
         CHECK(scores.find("gmaw-bead")->zoom == 4);
     }
     BestScores again(file);
@@ -95,12 +96,12 @@ TEST_CASE("the cues of a best score, and how far they have faded, stay from one 
         helped.cues.set(CueKind::speed);
         helped.cues.set(CueKind::seam);
         helped.ghost = "best";
-        scores.practise("gmaw-bead", skill); // without a best score there is nothing to keep it with
+        scores.practise("gmaw-bead", skill); // the skill has no entry to be stored in without a best score
         CHECK_FALSE(fs::exists(file));
         CHECK(scores.offer("gmaw-bead", helped));
         CHECK(scores.skill("gmaw-bead") == CueSkill());
         scores.practise("gmaw-bead", skill);
-        CHECK_FALSE(scores.offer("gmaw-bead", {50})); // no better, but practised
+        CHECK_FALSE(scores.offer("gmaw-bead", {50})); // a score that is no better, but practised
     }
     const BestScores again(file);
     CHECK(joined(again.faults()) == "");
@@ -121,7 +122,7 @@ TEST_CASE("two programs with the same file keep each other's scores, and the bet
     BestScores first(file), second(file); // both have read an empty one
     CHECK(first.offer("gmaw-bead", {60}));
     CHECK(first.offer("tee-fillet", {90, true}));
-    CHECK_FALSE(second.offer("tee-fillet", {70})); // the better one is in the file by now
+    CHECK_FALSE(second.offer("tee-fillet", {70})); // the better one is already in the file
     CHECK(second.offer("lap-fillet", {50}));
     CHECK(first.offer("gmaw-bead", {65}));
     const BestScores after(file);
@@ -149,7 +150,7 @@ TEST_CASE("good attempts at a cue in two programs are counted together, each jud
     second.practise("gmaw-bead", aims(1)); // judged again
     CHECK(second.skill("gmaw-bead") == aims(2));
     CHECK(BestScores(file).skill("gmaw-bead") == aims(2));
-    second.practise("gmaw-bead", aims(0)); // and again, as a poor one
+    second.practise("gmaw-bead", aims(0)); // judged once more, as a poor one
     CHECK(BestScores(file).skill("gmaw-bead") == aims(1));
     CHECK(first.beginAttempt("gmaw-bead") == aims(1));
 }
@@ -167,7 +168,8 @@ TEST_CASE("a fault in one lesson's best score is told with its line; the others 
     CHECK(scores.find("b") == nullptr);
     CHECK(scores.offer("b", {20}));
     CHECK(readTextFile(file.parent_path() / "best-scores.broken-1.toml") == text);
-    CHECK_FALSE(fs::exists(file.parent_path() / "best-scores.broken-2.toml")); // the same fault is kept and told once
+    // One fault gets one copy and one message.
+    CHECK_FALSE(fs::exists(file.parent_path() / "best-scores.broken-2.toml"));
     CHECK(scores.faults().size() == 3);
     CHECK(BestScores(file).faults().empty());
 }
@@ -182,7 +184,7 @@ TEST_CASE("a file that is no TOML is told and kept aside; where that is impossib
     CHECK(readTextFile(file.parent_path() / "best-scores.broken-1.toml") == "[a\nscore = ");
     CHECK(BestScores(file).find("a")->score == 20);
 
-    const fs::path device = "/proc/self/stat"; // can be read, is no TOML, and nothing can be made beside it
+    const fs::path device = "/proc/self/stat"; // file that is readable, not TOML, and can get no copy next to it
     if (!fs::exists(device)) return;
     BestScores stuck(device);
     CHECK_THAT(joined(stuck.faults()), test::containsText("Best scores are not kept from now on"));

@@ -1,4 +1,4 @@
-// Two attempts beside each other in words, without a window and without metal.
+// Tests the description of two attempts in words, without a window and without metal.
 #include "app/activities/comparison_rows.hpp"
 #include "tests/support/catch.hpp"
 

@@ -1,4 +1,4 @@
-// What keys and mouse do to modes, cameras and heat source, without a window.
+// Tests the effect of keys and mouse on modes, cameras and heat source, without a window.
 #include "app/session/controls.hpp"
 #include "tests/support/catch.hpp"
 
@@ -72,7 +72,7 @@ TEST_CASE("the mouse moves the source sideways and up, with the right button for
     ControlParameters parameters;
     parameters.sourceMouseSpeed = 2;
     InputFrame input;
-    input.mouseMove = {50, 100}; // to the right and towards the person
+    input.mouseMove = {50, 100}; // movement to the right and towards the person
     SteeredSource source;
     source.setPosition(glm::vec3(0));
     source.move(input, {0, 0, -1}, parameters);

@@ -1,4 +1,4 @@
-// The curves of the result panel, drawn by the installed Dear ImGui without a window.
+// Tests the curves of the result panel, drawn by the installed Dear ImGui without a window.
 #include "app/ui/curves.hpp"
 #include "app/ui/panels.hpp"
 #include "tests/desktop/parts/drawn_interface.hpp"
@@ -14,7 +14,7 @@ namespace {
 
 class CurveInterface : public test::DrawnInterface {
   public:
-    /// One frame with the curves in a window, folded or open; the corners of the triangles that came out of it.
+    /// Draws one frame with the curves in a window, folded or open; returns the number of corners of its triangles.
     int frame(const Judgement& judgement, const TechniqueBands* bands, bool open = true) {
         return draw([&](ui::Context& context) {
             ImGui::GetStateStorage()->SetBool(ImGui::GetID("Along the seam"), open);
@@ -23,7 +23,7 @@ class CurveInterface : public test::DrawnInterface {
     }
 };
 
-/// 40 mm of seam at 5 mm/s, without arc from 20 to 25 mm.
+/// Makes a judgement of 40 mm of seam at 5 mm/s, without arc from 20 to 25 mm.
 Judgement judged() {
     Judgement judgement;
     for (int i = 0; i < 40; ++i) {
@@ -59,11 +59,11 @@ TEST_CASE("the result's curves show what is known along the seam, with the arc's
     CHECK(interface.shows("result.curve.speed_mm_s"));
     CHECK(interface.shows("result.curve.current_a"));
     CHECK(interface.shows("result.curve.voltage_v"));
-    CHECK_FALSE(interface.shows("result.curve.aim_mm")); // nowhere known
+    CHECK_FALSE(interface.shows("result.curve.aim_mm")); // unknown everywhere
     const int pale = interface.frame(judgement, nullptr);
-    CHECK(pale < open); // without the band
+    CHECK(pale < open); // curves without the band
     CHECK(interface.shows("result.curve.speed_mm_s"));
-    CHECK(interface.frame({}, &bands) < folded); // no arc burned: not even a heading
+    CHECK(interface.frame({}, &bands) < folded); // no arc burned: there is no heading either
 }
 
 TEST_CASE("two curves share a chart, and one that is given its places is there before any value") {

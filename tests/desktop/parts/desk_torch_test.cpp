@@ -1,4 +1,4 @@
-// The torch at the desk: what the technique measures of it is what mouse, wheel and keys have set.
+// Tests the torch at the desk: the technique measures the values that mouse, wheel and keys have set.
 #include "app/session/desk_torch.hpp"
 #include "core/training/lesson/lesson.hpp"
 #include "tests/support/catch.hpp"
@@ -14,13 +14,13 @@ namespace meltpool {
 namespace {
 
 constexpr double kStep = 1.0 / 100;
-constexpr int kSteps = 3; // of a frame
+constexpr int kSteps = 3; // steps a frame
 
 Lesson shipped(const char* name) {
     return findLesson(name, test::sourceFolder() / "app" / "data" / "lessons");
 }
 
-/// A desk that is welded at, with the technique that measures it.
+/// Desk with a torch that welds, and the technique that measures it.
 struct Desk {
     explicit Desk(const char* name)
         : lesson(shipped(name)), technique(seamOf(lesson.workpiece), lesson.technique->settings()) {
@@ -47,17 +47,18 @@ struct Desk {
     DeskTorch torch;
     Technique technique;
     ControlParameters parameters;
-    glm::mat3 view{1, 0, 0, 0, 0, 1, 0, 1, 0}; ///< from above: x to the right, the welder's side (+z) up the screen
+    /// View from above: x to the right, the welder's side (+z) up the screen.
+    glm::mat3 view{1, 0, 0, 0, 0, 1, 0, 1, 0};
     TorchSample last;
     double time = 0;
 };
 
-/// mm, of the shipped lessons, whose seams run along x.
+/// Distance of the demonstration in the shipped lessons, whose seams run along x, mm.
 double distanceOfExpert(const Lesson& lesson) {
     if (!lesson.process.is<Gmaw>()) return lesson.technique->find(TechniqueQuantity::distance)->ideal;
     const TorchSample torch = lesson.torch.sample(lesson.torch.duration() / 2);
     REQUIRE(torch.trigger > 0);
-    // Down the torch's axis to the height of the seam, in a corner to the plane across its bisector.
+    // The distance runs down the torch's axis to the height of the seam, in a corner to the plane across its bisector.
     const bool corner = lesson.workpiece.kind == static_cast<int>(WorkpieceKind::Tee);
     const glm::vec3 up = corner ? glm::normalize(glm::vec3(0, 1, 1)) : glm::vec3(0, 1, 0);
     return double(lesson.process.of<Gmaw>().stickOutMm) +
@@ -84,12 +85,12 @@ TEST_CASE("a guided desk torch is measured as it is held, on plate, tee and unde
         const TechniqueBands& bands = *desk.lesson.technique;
         desk.parameters.guideSpeed = 6;
         desk.frames(60, {});
-        CHECK(desk.torch.guided()); // which is kept with the score
+        CHECK(desk.torch.guided()); // the score notes the guide
         const TechniqueValues& now = desk.technique.now();
         CHECK(now[TechniqueQuantity::travelSpeed] == Approx(6e-3).epsilon(0.01));
         for (const TechniqueQuantity quantity : {TechniqueQuantity::workAngle, TechniqueQuantity::travelAngle}) {
             const TechniqueBand* band = bands.find(quantity);
-            REQUIRE(band != nullptr); // it begins as the lesson asks for
+            REQUIRE(band != nullptr); // the torch begins at the lesson's ideal
             CHECK(degrees(now[quantity]) == Approx(band->ideal).margin(0.1));
         }
         REQUIRE(bands.find(TechniqueQuantity::aim) != nullptr);
@@ -103,7 +104,7 @@ TEST_CASE("a guided desk torch is measured as it is held, on plate, tee and unde
               Approx(bands.find(TechniqueQuantity::workAngle)->ideal + 7).margin(0.1));
         const double distance = distanceOfExpert(desk.lesson);
         CHECK(desk.torch.pose().distance * 1e3 == Approx(distance).margin(1e-3));
-        // Where no pool stands over the seam that is the ideal.
+        // The distance is the ideal without a pool over the seam.
         if (desk.lesson.workpiece.kind != static_cast<int>(WorkpieceKind::Tee))
             CHECK(distance == Approx(bands.find(TechniqueQuantity::distance)->ideal).margin(0.2));
         InputFrame wheel;
@@ -118,7 +119,7 @@ TEST_CASE("a desk torch keeps its distance from the plate at every angle") {
     const double stickOut = double(desk.lesson.process.of<Gmaw>().stickOutMm) * 1e-3;
     for (int i = 0; i < 20; ++i) {
         desk.frame(pressed(i % 2 == 0 ? Key::left : Key::up, 2), false);
-        // Along the torch's axis from the wire's end down to the plate.
+        // The distance runs along the torch's axis from the wire's end down to the plate.
         const double toPlate = double(desk.last.tip.y) / -double(desk.last.axis().y);
         CHECK(toPlate + stickOut == Approx(desk.torch.pose().distance).margin(1e-6));
     }
@@ -135,12 +136,12 @@ TEST_CASE("the mouse leads the torch along and across the seam as they lie on th
     CHECK(desk.torch.pose().aim == Approx(0).margin(1e-9));
     desk.frame(up, false);
     CHECK(desk.torch.pose().aim * 1e3 == Approx(double(desk.parameters.torchMouse)));
-    desk.view = {-1, 0, 0, 0, 0, 1, 0, -1, 0}; // from the other side
+    desk.view = {-1, 0, 0, 0, 0, 1, 0, -1, 0}; // view from the other side
     desk.frame(right, false);
     CHECK(desk.torch.pose().place == Approx(before.place).margin(1e-9));
     desk.frame(up, false);
     CHECK(desk.torch.pose().aim == Approx(0).margin(1e-9));
-    desk.view = {0, 0, 1, 0, 1, 0, -1, 0, 0}; // along the seam: up goes on
+    desk.view = {0, 0, 1, 0, 1, 0, -1, 0, 0}; // view along the seam: up advances
     desk.frame(up, false);
     CHECK((desk.torch.pose().place - before.place) * 1e3 == Approx(double(desk.parameters.torchMouse)));
 }
@@ -174,13 +175,13 @@ TEST_CASE(
     REQUIRE(desk.last.rod);
     const float rest = desk.last.rod->tip.y;
     desk.frames(20, dip);
-    CHECK(desk.last.rod->tip.y < 0); // in the pool
+    CHECK(desk.last.rod->tip.y < 0); // the rod is in the pool
     CHECK(desk.last.rod->feed > 0);
     desk.frames(20);
     CHECK(desk.last.rod->tip.y == Approx(rest).margin(1e-5));
     CHECK(desk.last.rod->feed == 0);
 
-    CHECK_FALSE(Desk("gtaw-bead").torch.hasRod()); // a lesson that wants none
+    CHECK_FALSE(Desk("gtaw-bead").torch.hasRod()); // a lesson without a rod
 
     Desk stick("smaw-bead");
     CHECK_FALSE(stick.torch.hasRod());
@@ -203,7 +204,7 @@ TEST_CASE("a stick-out that is set anew leaves the contact tip where it is, and 
     desk.frames(3, {});
     CHECK(glm::distance(contactTip(), before) < 1e-6F);
     CHECK(glm::distance(desk.last.tip, wire) == Approx(6e-3F).epsilon(1e-3));
-    CHECK(desk.torch.pose().distance == pose.distance); // which is what the bar tells
+    CHECK(desk.torch.pose().distance == pose.distance); // the bar shows this distance
 }
 
 TEST_CASE("the guide stops where the torch can be led no farther") {
@@ -213,7 +214,7 @@ TEST_CASE("the guide stops where the torch can be led no farther") {
     double last = -1;
     for (int i = 0; i < 200; ++i) {
         desk.frame();
-        CHECK(double(desk.last.tip.x) >= last - 1e-9); // and is never pulled back
+        CHECK(double(desk.last.tip.x) >= last - 1e-9); // the torch is never pulled back
         last = double(desk.last.tip.x);
     }
     CHECK(desk.torch.pose().place == Approx(seam.end() + 10e-3).margin(1e-9));
@@ -271,7 +272,7 @@ TEST_CASE("a desk torch trembles like a hand where that is asked for, and alike 
         sum += off * off;
     }
     CHECK(std::sqrt(sum / kFrames) == Approx(HandTremor::kPlace).epsilon(0.2));
-    CHECK(hand.torch.pose().aim == steady.torch.pose().aim); // what the hand wants does not tremble
+    CHECK(hand.torch.pose().aim == steady.torch.pose().aim); // the hand's aim does not tremble
 }
 
 TEST_CASE("a lesson of the classic model has no seam to lead a torch along") {

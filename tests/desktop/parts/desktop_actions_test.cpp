@@ -1,4 +1,4 @@
-// The table of the window's actions: each name, key and request leads to one action.
+// Tests the table of the window's actions: each name, key and request leads to one action.
 #include "app/desktop/desktop_actions.hpp"
 #include "tests/support/catch.hpp"
 
@@ -16,7 +16,7 @@ TEST_CASE("each name, key and request of the window is that of one action") {
         CHECK(names.insert(action.name).second);
         if (action.key) CHECK(keys.insert(*action.key).second);
         if (action.request != MenuRequest::none) CHECK(requests.insert(action.request).second);
-        CHECK((action.key || action.request != MenuRequest::none)); // else it could not be asked for
+        CHECK((action.key || action.request != MenuRequest::none)); // an action without both would be out of reach
     }
     CHECK(!names.empty());
 }
@@ -27,7 +27,7 @@ TEST_CASE("each request of menus and headset has an action") {
         requests.insert(action.request);
     for (int i = 0; i <= static_cast<int>(MenuRequest::cut); ++i) {
         INFO("request " << i);
-        CHECK(requests.count(static_cast<MenuRequest>(i)) == 1); // `none` is that of actions with a key only
+        CHECK(requests.count(static_cast<MenuRequest>(i)) == 1); // actions with a key only have `none`
     }
 }
 

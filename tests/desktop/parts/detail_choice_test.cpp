@@ -1,4 +1,4 @@
-// Which detail a machine's pictures get where the setting leaves it to the program.
+// Tests the automatic choice of detail for a machine's pictures.
 #include "app/desktop/detail_choice.hpp"
 #include "tests/support/catch.hpp"
 
@@ -10,7 +10,8 @@ namespace {
 
 constexpr double kFrame = 1.0 / 60;
 
-/// The level that a card gets whose pictures take so long at each level, in shares of the frame, and after how many.
+/// Returns the level for a card whose pictures take these shares of the frame at each level, and the number of pictures
+/// until then.
 std::pair<PictureDetail, int> foundBy(DetailTrial& trial, const std::array<double, 3>& shares) {
     int pictures = 0;
     for (; !trial.settled() && pictures < 1000; ++pictures)
@@ -44,7 +45,7 @@ TEST_CASE("a card gets the highest detail of which a picture takes its share of 
 TEST_CASE("the first pictures of a level and slow ones among the others do not count") {
     DetailTrial trial(false);
     for (int i = 0; i < 5; ++i)
-        trial.add(10 * kFrame, kFrame); // the driver makes its programs
+        trial.add(10 * kFrame, kFrame); // the driver compiles its programs
     for (int i = 0; !trial.settled(); ++i)
         trial.add((i % 2 == 0 ? 0.2 : 0.9) * kFrame, kFrame);
     CHECK(trial.level() == kHighDetail);

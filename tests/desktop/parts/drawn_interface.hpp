@@ -1,4 +1,5 @@
-// Panels drawn by the installed Dear ImGui without a window: what they show, where, and what a click on them does.
+// Draws panels by the installed Dear ImGui without a window: finds the shown controls, their places, and the effect of
+// clicks.
 #pragma once
 
 #include "app/ui/widgets.hpp"
@@ -40,7 +41,7 @@ class DrawnInterface {
     DrawnInterface(const DrawnInterface&) = delete;
     DrawnInterface& operator=(const DrawnInterface&) = delete;
 
-    /// One frame with the content in a window; the corners of the triangles that came out of it.
+    /// Draws one frame with the content in a window; returns the number of corners of its triangles.
     int draw(Content content) {
         ImGui::NewFrame();
         context_.beginFrame();
@@ -53,7 +54,7 @@ class DrawnInterface {
         return ImGui::GetDrawData()->TotalVtxCount;
     }
 
-    /// Presses and lets go of the mouse in the middle of what was drawn there under this name.
+    /// Presses and releases the mouse in the middle of the item drawn under this name.
     void click(const std::string& name, Content content) {
         const ui::Place at = place(name);
         ImGuiIO& io = ImGui::GetIO();
@@ -70,7 +71,7 @@ class DrawnInterface {
     }
     const ui::Place& place(const std::string& name) const { return context_.places.at(name); }
 
-    /// Of Dear ImGui to the heap.
+    /// Number of Dear ImGui's requests to the heap.
     size_t requests() const { return requests_; }
 
   private:

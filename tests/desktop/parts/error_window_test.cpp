@@ -1,4 +1,4 @@
-// What is shown of a start that failed, and by which program where there is no X display.
+// Tests the message of a failed start, and the choice of its program without an X display.
 #include "app/desktop/error_window.hpp"
 #include "app/platform/watched_run.hpp"
 #include "tests/support/catch.hpp"

@@ -1,4 +1,4 @@
-// What a gamepad says, as the trainer takes it.
+// Tests the trainer's reading of a gamepad.
 #include "app/desktop/gamepad.hpp"
 #include "app/session/controls.hpp"
 #include "tests/support/catch.hpp"
@@ -32,7 +32,7 @@ TEST_CASE("sticks and triggers that hardly leave their rest are at rest, and rea
     CHECK(full.rightTrigger == 1);
     const GamepadFrame little = withAxes(0.2F, 0, 0, 0, -1, -1);
     CHECK(little.left.x > 0);
-    CHECK(little.left.x < 0.1F); // slow ways can be led
+    CHECK(little.left.x < 0.1F); // slow movements are possible
     CHECK(withAxes(1, 1, 0, 0, -1, -1).left.x == Approx(std::sqrt(0.5F)));
 }
 
@@ -61,7 +61,7 @@ TEST_CASE("a gamepad's trigger welds as far as it is pulled, and only when it ha
     controls.update({}, 0.02);
     controls.update(input, 0.02);
     CHECK(controls.trigger() == 0.4F);
-    input.leftHeld = true; // the mouse's button is all the way
+    input.leftHeld = true; // the mouse's button counts as fully pressed
     controls.update(input, 0.02);
     CHECK(controls.trigger() == 1);
     controls.setMode(Mode::view);

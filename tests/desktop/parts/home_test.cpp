@@ -1,4 +1,4 @@
-// The home page without a window: which lessons it lists in which order, and how keys move the choice.
+// Tests the home page without a window: its lessons, their order, and the keys that move the choice.
 #include "app/session/home.hpp"
 #include "core/base/error.hpp"
 #include "core/base/resources.hpp"
@@ -16,7 +16,7 @@ fs::path shippedLessons() {
     return resourceFolder() / "data" / "lessons";
 }
 
-/// A folder of lessons with these texts by name.
+/// Makes a folder of lessons with these texts by name.
 fs::path lessonsWith(const std::string& name, const std::map<std::string, std::string>& texts) {
     const fs::path folder = test::scratchFolder(name) / "lessons";
     fs::create_directories(folder);
@@ -53,7 +53,7 @@ TEST_CASE("a lesson at fault is listed with its sentence, after those that can b
     std::string order;
     for (const CataloguedLesson& lesson : home.lessons())
         order += lesson.key;
-    CHECK(order == "dcab"); // without a level by name
+    CHECK(order == "dcab"); // lessons without a level are sorted by name
     CHECK_THAT(home.find("a")->fault, test::containsText("a.toml:2: level"));
     CHECK(home.find("a")->title == "a");
     CHECK(home.find("b")->title == "B");
@@ -100,16 +100,16 @@ TEST_CASE("own lessons stand in groups behind the shipped ones, with the fault o
     folders.add(LessonOrigin::school, shipped.parent_path() / "school");
     folders.add(LessonOrigin::own, own);
     Home home(folders, shipped / "best-scores.toml");
-    CHECK(home.faults().size() == 1); // the school's folder is not there
+    CHECK(home.faults().size() == 1); // the school's folder does not exist
     const auto groups = home.groups();
     REQUIRE(groups.size() == 2);
     CHECK(groups[0].end == 2);
     CHECK(groups[1].origin == LessonOrigin::own);
     CHECK(groups[1].end == 5);
-    CHECK(home.lessons()[2].key == "d"); // those at fault come last
+    CHECK(home.lessons()[2].key == "d"); // faulty lessons come last
     CHECK(home.lessons()[3].taken);
     CHECK(home.find("a")->origin == LessonOrigin::shipped);
-    CHECK(home.find(readLesson(own / "a.toml")) == nullptr); // its scores would be those of another lesson
+    CHECK(home.find(readLesson(own / "a.toml")) == nullptr); // the file's scores would belong to another lesson
     CHECK(home.find(readLesson(own / "d.toml")) == home.find("d"));
     CHECK(shortFault(*home.find("c")).starts_with("c.toml:2: torch: gone.csv: "));
 
@@ -129,7 +129,7 @@ TEST_CASE("arrow keys go from the last row of a group to the first of the next o
     LessonFolders folders(shipped);
     folders.add(LessonOrigin::own, own);
     Home home(folders, shipped / "best-scores.toml");
-    home.columns = 3; // a b c, d e; f g h, i
+    home.columns = 3; // rows: a b c, d e; f g h, i
     const auto after = [&](const char* key, int right, int down) {
         home.choose(key);
         home.move(right, down);

@@ -1,4 +1,4 @@
-// Names of the letter keys on keyboards of other layouts, by a lookup in place of the keyboard.
+// Tests the names of the letter keys on keyboards of other layouts, by a lookup in place of the keyboard.
 #include "app/session/key_names.hpp"
 #include "tests/support/catch.hpp"
 
@@ -20,7 +20,7 @@ TEST_CASE("keys are named as a French, a German, a Dvorak and a Russian keyboard
     CHECK(french.of(Key::a) == "Q");
     CHECK(french.of(Key::q) == "A");
     CHECK(french.of(Key::s) == "S");
-    CHECK(french.of(Key::d) == "D"); // unknown, so as on a US keyboard
+    CHECK(french.of(Key::d) == "D"); // unknown, so named as on a US keyboard
     const KeyNames dvorak = named({{Key::w, ","}, {Key::q, "'"}, {Key::h, "d"}});
     CHECK(dvorak.of(Key::w) == ",");
     CHECK(dvorak.of(Key::q) == "'");

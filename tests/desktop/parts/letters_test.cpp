@@ -1,4 +1,4 @@
-// The letters of the interface's fonts, and what is told of those that no font has.
+// Tests the letters of the interface's fonts, and the report of letters that no font has.
 #include "app/ui/letters.hpp"
 #include "app/ui/theme.hpp"
 #include "tests/support/catch.hpp"
@@ -7,7 +7,7 @@ namespace meltpool::test {
 
 namespace {
 
-/// The interface's fonts without a window.
+/// Loads the interface's fonts without a window.
 class LoadedFonts {
   public:
     LoadedFonts() {
@@ -55,12 +55,12 @@ TEST_CASE("letters that no font has are told once, whatever else the text holds"
     CHECK_THAT(told->window, containsText("3 of the letters used here (U+6EB6 U+63A5 U+0642)"));
     missing.look(font, "溶接");
     CHECK_FALSE(missing.take());
-    missing.look(font, "溶接機\xF0\x9F\x94\xA5"); // the last is beyond 16 bits
+    missing.look(font, "溶接機\xF0\x9F\x94\xA5"); // the last letter is beyond 16 bits
     CHECK_THAT(missing.take()->window, containsText("2 of the letters used here (U+6A5F U+1F525)"));
     missing.look(font, "あいうえおかきく");
     CHECK_THAT(missing.take()->window,
                containsText("8 of the letters used here (U+3042 U+3044 U+3046 U+3048 U+304A U+304B ..)"));
-    // Control characters, marks that draw nothing and broken bytes are no letters to be missed.
+    // Control characters, marks that draw nothing and broken bytes do not count as missing letters.
     missing.look(font, "a\tb\n\xE2\x80\x8B\xEF\xBB\xBF \xFF\xC3");
     CHECK_FALSE(missing.take());
 }

@@ -1,4 +1,4 @@
-// Large blocks of memory go back to the system when they are freed.
+// Tests that large blocks of memory go back to the system when they are freed.
 #include "app/platform/memory.hpp"
 #include "tests/support/catch.hpp"
 
@@ -8,10 +8,10 @@
 
 using namespace meltpool;
 
-#ifndef __SANITIZE_ADDRESS__ // whose memory is not the C library's
+#ifndef __SANITIZE_ADDRESS__ // the sanitizer does not use the C library's memory
 namespace {
 
-/// Bytes of blocks that the C library took from the system one by one.
+/// Returns the bytes of blocks that the C library took from the system one by one.
 size_t largeBlocks() {
     return mallinfo2().hblkhd;
 }

@@ -1,5 +1,5 @@
-// The metal in a context of its own, on the thread of the steps: the same weld as in one context, and a surface of the
-// metal as it was, made while further steps are made.
+// Tests the metal in a context of its own, on the steps' thread: its weld equals that of one context, and the surface
+// shows the metal of its moment while further steps run.
 #include "app/desktop/step_thread.hpp"
 #include "core/training/trainer/lesson_scene.hpp"
 #include "shaders/shared/surface.h"
@@ -27,7 +27,7 @@ Lesson smallClassic() {
     return lesson;
 }
 
-/// A context without a window beside that of the tests, which stays current here.
+/// Holds a windowless context in addition to that of the tests, which stays current here.
 struct Elsewhere {
     Elsewhere() : thread(std::make_unique<HeadlessStepContext>(test::shaders().root())) { REQUIRE(thread.usable()); }
     StepThread thread;
@@ -38,7 +38,7 @@ void weld(Trainer& trainer, int steps) {
         trainer.advanceDemonstration(nullptr);
 }
 
-/// The corners of all triangles.
+/// Returns the corners of all triangles.
 std::vector<SurfaceVertex> trianglesOf(const SurfaceMesh& mesh) {
     const auto indices = mesh.indices->read<std::uint32_t>(mesh.drawCommand->read<std::uint32_t>(1)[0]);
     const auto vertices = mesh.vertices->read<SurfaceVertex>(mesh.vertices->bytes() / sizeof(SurfaceVertex));
@@ -63,10 +63,10 @@ TEST_CASE("a weld whose metal lies in another context has the bits of one in the
     weld(here, 40);
     elsewhere.thread.begin([&] { weld(there, 30); });
     elsewhere.thread.wait();
-    weld(there, 10); // the calling thread asks for each step
+    weld(there, 10); // the calling thread requests each step
     CHECK(there.result().stateHash == here.result().stateHash);
     CHECK(there.result().metal.maxTemperature == here.result().metal.maxTemperature);
-    CHECK(there.result().metalBytes > here.result().metalBytes); // with what is shown
+    CHECK(there.result().metalBytes > here.result().metalBytes); // includes the data of the picture
     seenHere.updateSurface(nullptr);
     seenThere.updateSurface(nullptr);
     CHECK(same(trianglesOf(seenThere.surface().mesh()), trianglesOf(seenHere.surface().mesh())));
@@ -111,7 +111,7 @@ TEST_CASE("what is saved of a metal in one context goes on in the other") {
     CHECK(again.bytes == saved.bytes);
     weld(here, 4);
     CHECK(here.result().stateHash == there.result().stateHash);
-    elsewhere.thread.begin([&] { there.restore(again); }); // as a replay does that is moved
+    elsewhere.thread.begin([&] { there.restore(again); }); // a moved replay does this
     elsewhere.thread.wait();
     weld(there, 4);
     CHECK(here.result().stateHash == there.result().stateHash);

@@ -1,4 +1,4 @@
-// How finely the window's picture is drawn on machines of different speed, with the steps of the metal that they make.
+// Tests the level of the window's picture on machines of different speed, with the steps of the metal that they make.
 #include "app/activities/step_clock.hpp"
 #include "app/desktop/picture_quality.hpp"
 #include "app/desktop/scaled_picture.hpp"
@@ -12,23 +12,23 @@ namespace meltpool {
 
 namespace {
 
-constexpr double kStep = 1.0 / 90; // s, of the metal
+constexpr double kStep = 1.0 / 90; // s of the metal
 
-/// A machine, s.
+/// Costs of a machine, s.
 struct Machine {
-    double step = 0;     ///< a step of the metal
-    double rest = 0;     ///< what a frame costs besides steps and pixels
+    double step = 0;     ///< step of the metal
+    double rest = 0;     ///< rest of a frame, without steps and pixels
     double pixels = 0;   ///< all pixels of the window
-    double shortest = 0; ///< a frame: the display is waited for
-    bool beside = false; ///< steps are made while the picture is drawn
+    double shortest = 0; ///< shortest frame: the display waits
+    bool beside = false; ///< steps run while the picture is drawn
 };
 
-/// What the last ten of sixty seconds were like.
+/// Results of the last ten of sixty seconds.
 struct Outcome {
     PictureLevel level = PictureLevel::full;
-    double speed = 0;     ///< simulated over real time
-    double perSecond = 0; ///< pictures
-    int changes = 0;      ///< of the level, in all sixty seconds after the first five
+    double speed = 0;     ///< ratio of simulated to real time
+    double perSecond = 0; ///< pictures a second
+    int changes = 0;      ///< changes of the level, in all sixty seconds after the first five
 };
 
 class DrawnWeld {
@@ -101,16 +101,16 @@ TEST_CASE("where pixels keep the metal from the clock, there are fewer of them")
 
 TEST_CASE("a picture is no coarser than the metal needs") {
     CHECK(outcomeOn({0.004, 0.004, 0.02, 0}).level == PictureLevel::full);
-    const Outcome outcome = outcomeOn({0.004, 0.006, 0.04, 0}); // may take 32 ms besides steps
+    const Outcome outcome = outcomeOn({0.004, 0.006, 0.04, 0}); // may take 32 ms apart from steps
     CHECK(outcome.level == PictureLevel::fine);
     CHECK(outcome.speed == Approx(1).margin(0.03));
 }
 
 TEST_CASE("on a machine that is too slow for the metal the picture takes a quarter of the frame") {
-    // 14 ms of 94. The coarsest would take 11 of 91, and the metal would gain next to nothing.
+    // The picture takes 14 ms of 94. The coarsest would take 11 of 91, and the metal would gain next to nothing.
     const Outcome outcome = outcomeOn({0.02, 0.008, 0.024, 0});
     CHECK(outcome.level == PictureLevel::medium);
-    CHECK(outcome.speed > 0.45); // 0.56 if it were all steps
+    CHECK(outcome.speed > 0.45); // steps alone would reach 0.56
     CHECK(outcome.changes <= 6);
     const Outcome slow = outcomeOn({0.02, 0.008, 0.2, 0});
     CHECK(slow.level == PictureLevel::coarse);
@@ -161,7 +161,7 @@ TEST_CASE("a picture stands when neither metal nor camera has moved for half a s
 TEST_CASE("beside steps a picture has all the time that they take") {
     const Outcome slow = outcomeOn({0.02, 0.012, 0.05, 0, true}); // 80 ms of steps
     CHECK(slow.level == PictureLevel::full);
-    CHECK(slow.speed > 0.46); // 0.56 if it were all steps
+    CHECK(slow.speed > 0.46); // steps alone would reach 0.56
     CHECK(slow.changes == 0);
     const Outcome quick = outcomeOn({0.008, 0.012, 0.03, 0, true});
     CHECK(quick.level == PictureLevel::full);
@@ -177,7 +177,7 @@ TEST_CASE("beside steps a picture has all the time that they take") {
 TEST_CASE("a long frame at the start makes the picture coarse for some seconds only") {
     DrawnWeld weld({0.002, 0.002, 0.01, 0});
     for (int i = 0; i < 8; ++i)
-        weld.budget.add({3.0, 0.0, 0.0, 0.0}); // shaders are made
+        weld.budget.add({3.0, 0.0, 0.0, 0.0}); // time of compiling shaders
     CHECK(weld.budget.level() != PictureLevel::full);
     CHECK(weld.run(30).level == PictureLevel::full);
 }

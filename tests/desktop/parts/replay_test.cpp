@@ -1,4 +1,4 @@
-// A kept attempt's time line without a window: positions and seconds, how far a frame goes, and what is told.
+// Tests a saved attempt's time line without a window: positions and seconds, the length of a frame, and its texts.
 #include "app/activities/curve_track.hpp"
 #include "app/activities/replay_end.hpp"
 #include "app/activities/seek_pace.hpp"
@@ -57,7 +57,7 @@ TEST_CASE("a moment that is asked for is reached by the step that is nearest to 
     line.reach(1, kStep, false);
     line.seek(2);
     CHECK((line.seeking() && line.playing()));
-    line.reach(2, kStep, false); // a step that was under way says nothing
+    line.reach(2, kStep, false); // a step already in progress changes nothing
     CHECK(line.seeking());
     CHECK(line.takeFresh());
     CHECK_FALSE(line.takeFresh());
@@ -118,7 +118,7 @@ TEST_CASE("a slow picture takes nothing from the steps of a way to another momen
     for (int frame = 0; frame < 3; ++frame)
         pace.frame(0.5);
     CHECK(pace.steps() == 8 * SeekPace::kFirst);
-    pace.begin(60); // a frame that something else held up says nothing of pictures
+    pace.begin(60); // a frame with another cause of delay does not count as slow pictures
     pace.frame(1);
     CHECK(pace.steps() == SeekPace::kFirst / 2);
 }
@@ -184,7 +184,7 @@ TEST_CASE("faults with a place are marks at the moment when the arc first burned
     judgement.score->parameters.back().quantity = TechniqueQuantity::travelSpeed;
     judgement.score->parameters.back().worstPlaceMm = 10;
     judgement.corrections = {{TechniqueQuantity::travelSpeed, 5, "Travel slower."},
-                             {TechniqueQuantity::aim, 3, "Aim better."}, // has no place
+                             {TechniqueQuantity::aim, 3, "Aim better."}, // correction without a place
                              {std::nullopt, 2, "Weld all of it."}};
     judgement.verdict.emplace();
     VerdictItem item;
@@ -194,7 +194,7 @@ TEST_CASE("faults with a place are marks at the moment when the arc first burned
     item.unit = "mm";
     item.place = 5e-3;
     judgement.verdict->items = {item, item};
-    judgement.verdict->items[1].place = 0.5; // no arc burned there
+    judgement.verdict->items[1].place = 0.5; // place without an arc
     const auto marks = faultMarks(technique, judgement);
     REQUIRE(marks.size() == 2);
     CHECK(marks[0].text == "Lack of fusion fails: 1.3 mm at 5 mm of the seam");
@@ -210,10 +210,10 @@ TEST_CASE("two attempts of one lesson are marked for a comparison, the older one
     CHECK_FALSE(list.marks());
     CHECK_FALSE(list.mark(0));
     CHECK((list.marks() && list.marked(0)));
-    CHECK_FALSE(list.mark(0)); // taken away again
+    CHECK_FALSE(list.mark(0)); // mark removed
     CHECK_FALSE(list.marks());
     list.mark(0);
-    CHECK_FALSE(list.mark(1)); // of another lesson: given up for it
+    CHECK_FALSE(list.mark(1)); // an attempt of another lesson replaces the marks
     CHECK((list.marked(1) && !list.marked(0)));
     list.mark(2);
     REQUIRE(list.mark(0));

@@ -1,4 +1,4 @@
-// The interface's rounded rectangles in every size, drawn by the installed Dear ImGui without a window.
+// Tests the interface's rounded rectangles in every size, drawn by the installed Dear ImGui without a window.
 #include "app/ui/panels.hpp"
 #include "core/base/text.hpp"
 #include "tests/support/catch.hpp"
@@ -12,7 +12,7 @@ namespace meltpool {
 
 namespace {
 
-/// Dear ImGui with a screen and a font and nothing else.
+/// Runs Dear ImGui with only a screen and a font.
 class BareInterface {
   public:
     BareInterface() {
@@ -32,7 +32,7 @@ class BareInterface {
     BareInterface(const BareInterface&) = delete;
     BareInterface& operator=(const BareInterface&) = delete;
 
-    /// Runs `draw(context)` within a frame; the number of corners of the triangles that came out of it.
+    /// Runs `draw(context)` within a frame; returns the number of corners of its triangles.
     template <class Draw>
     int frame(const Draw& draw) {
         ImGui::NewFrame();
@@ -46,7 +46,7 @@ class BareInterface {
     ui::Context context_;
 };
 
-/// A profiler with one pass that the GPU has run and timed.
+/// Fills a profiler with one pass that the GPU has run and timed.
 void timeOnePass(gl::Profiler& profiler) {
     test::context();
     for (int i = 0; i < 3; ++i) {
@@ -69,7 +69,7 @@ TEST_CASE("rectangles of every size and radius are drawn, whole or in part") {
     const auto drawAt = [&](float origin, float side, ImDrawFlags corners) {
         interface.frame([&](ui::Context&) {
             ImDrawList& draw = *ImGui::GetForegroundDrawList();
-            // The sides next to it as well: what divides by zero is a window of a few of them.
+            // Sides next to it are tried as well: a narrow range of them divides by zero.
             for (const float step : {-4e-6f, -1e-6f, -2.4e-7f, 0.0f, 2.4e-7f, 1e-6f, 4e-6f})
                 for (const float radius : {3.0f, 10.0f}) {
                     ui::fillRounded(draw, {origin, 7}, {origin + side + step, 21}, ~0u, radius, corners);
@@ -89,8 +89,8 @@ TEST_CASE("rectangles of every size and radius are drawn, whole or in part") {
         ui::fillRounded(draw, {0, 0}, {20, 20}, ~0u, kNone);
         ui::fillRounded(draw, {0, 0}, {20, 20}, ~0u, 1e-7f);
     });
-    CHECK(drawn == 3 * 4); // with sharp corners
-    // Where there is room the corners are round.
+    CHECK(drawn == 3 * 4); // sharp corners
+    // Enough room makes the corners round.
     CHECK(interface.frame([](ui::Context&) {
         ui::fillRounded(*ImGui::GetForegroundDrawList(), {0, 0}, {20, 20}, ~0u, 3);
     }) > 8);
@@ -101,10 +101,10 @@ TEST_CASE("the timings panel draws bars of all widths from 0 to 20 pixels") {
     timeOnePass(profiler);
     BareInterface interface;
     const double ms = profiler.passes()[0].lastMs;
-    double room = 0; // of a bar, pixels
+    double room = 0; // room for a bar, pixels
     const auto show = [&](double pixels) {
         return interface.frame([&](ui::Context& context) {
-            constexpr float kGap = 10; // beside the panel, which panelReach() includes
+            constexpr float kGap = 10; // next to the panel, included in panelReach()
             room = static_cast<double>(ui::panelReach(context) - kGap - 2 * ImGui::GetStyle().WindowPadding.x);
             ui::timingsPanel(context, profiler, {}, ms * room / pixels, "driver", false);
         });
@@ -113,7 +113,7 @@ TEST_CASE("the timings panel draws bars of all widths from 0 to 20 pixels") {
     CHECK(show(5) > 100);
     for (double pixels = 1e-3; pixels <= 20; pixels += 1e-3)
         show(pixels);
-    // At a place of some tens of pixels one single number in a step of 2e-6 divides by zero.
+    // A single number in a step of 2e-6 divides by zero at a place of some tens of pixels.
     for (const double whole : {1.0, 2.0, 3.0, 4.0})
         for (double off = -2e-5; off <= 2e-5; off += 5e-7)
             show(whole + off);

@@ -1,4 +1,5 @@
-// The settings file: round trip, faults named with their line, broken files set aside; and the messages on the screen.
+// Tests the settings file: round trip, faults named with their line, broken files set aside; and the messages on the
+// screen.
 #include "app/desktop/desktop_settings.hpp"
 #include "app/desktop/screenshot.hpp"
 #include "app/session/messages.hpp"
@@ -100,7 +101,7 @@ TEST_CASE("two programs with the same settings file keep each other's changes") 
     CHECK(read.kind == 1);
     CHECK(read.pull == glm::vec3(1, 2, 3));
     CHECK(read.name == "loud");
-    CHECK(first.name == "quiet \"one\""); // what runs is not touched
+    CHECK(first.name == "quiet \"one\""); // the running lesson is not touched
 }
 
 TEST_CASE("a fault that another program leaves in the settings is told when they are saved, and the file kept aside") {
@@ -108,7 +109,8 @@ TEST_CASE("a fault that another program leaves in the settings is told when they
     Values values;
     CHECK(loadSettings(file, values.sections()).size() == 2);
     const SettingsValues before = valuesOf(values.sections());
-    CHECK(saveSettings(file, values.sections(), before).empty()); // told at the start, and kept
+    // The fault was reported at the start, with a copy of the file.
+    CHECK(saveSettings(file, values.sections(), before).empty());
     CHECK_FALSE(fs::exists(file.parent_path() / "settings.broken-2.toml"));
     writeTextFileAtomically(file, "[first]\ncount = 8\nvolume = 1\n");
     const auto faults = saveSettings(file, values.sections(), before);
@@ -170,7 +172,7 @@ TEST_CASE("bytes that are no text, a folder in the file's place: told, never thr
     fs::create_directories(folder);
     CHECK_THROWS_AS(saveSettings(folder, values.sections()), InputError);
     CHECK_FALSE(loadSettings(folder, values.sections()).empty());
-    CHECK_FALSE(fs::exists(folder)); // kept aside, so that the next settings can be saved
+    CHECK_FALSE(fs::exists(folder)); // moved aside, so that the next settings can be saved
 }
 
 TEST_CASE("a settings file of a key with 40,000 parts is set aside, not parsed") {

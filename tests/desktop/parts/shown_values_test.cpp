@@ -1,4 +1,4 @@
-// Menus show the values that do something in the lesson at hand; temperatures have their unit.
+// Tests that menus show only the values with an effect in the current lesson, and temperatures with their unit.
 #include "app/session/lesson_session.hpp"
 #include "app/ui/panels.hpp"
 #include "core/weld/process/processes.hpp"
@@ -24,16 +24,16 @@ TEST_CASE("a lesson's pages have the values of its own process only, and all of 
         CHECK(shows(sections.simulation, "wire_feed_m_min") == lesson.process.is<Gmaw>());
         CHECK(shows(sections.simulation, "electrode_diameter_mm") ==
               (lesson.process.is<Gtaw>() || lesson.process.is<Smaw>()));
-        CHECK_FALSE(shows(sections.simulation, "heat_temperature")); // of the classic source
-        CHECK(sections.simulation.name == "simulation");             // names its controls and its table in the settings
+        CHECK_FALSE(shows(sections.simulation, "heat_temperature")); // parameter of the classic source
+        CHECK(sections.simulation.name == "simulation"); // prefix of its controls and its table in the settings
         CHECK(sections.simulation.words == traitsOf(lesson.process).name);
         CHECK(sections.view.words == "view");
         const bool arc = isArcWelding(lesson.process);
         CHECK(shows(sections.view, "arc_light") == arc);
-        CHECK_FALSE(shows(sections.view, "material")); // the workpiece's own is shown
+        CHECK_FALSE(shows(sections.view, "material")); // the view shows the workpiece's own
         CHECK_FALSE(shows(sections.view, "show_source"));
         CHECK(shows(sections.view, "exposure"));
-        // Files and --set take them all the same.
+        // Files and --set accept them too.
         setParameter(sections.view.parameters, "arc_light", "0.5", "test");
         CHECK(lesson.look.arcLight == 0.5f);
     }

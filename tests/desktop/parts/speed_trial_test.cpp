@@ -1,4 +1,4 @@
-// What is offered where a machine is too slow for an attempt for score.
+// Tests the offers on a machine that is too slow for an attempt for score.
 #include "app/activities/speed_trial.hpp"
 #include "tests/support/catch.hpp"
 
@@ -14,12 +14,12 @@ Lesson plate() {
     return lesson;
 }
 
-/// Frames of 50 ms at this ratio until the trial wants something else.
+/// Counts frames of 50 ms at this ratio until the trial changes its request.
 SpeedTrial::Verdict measure(SpeedTrial& trial, double ratio) {
     SpeedTrial::Verdict verdict = SpeedTrial::Verdict::more;
     int frames = 0;
     while (verdict == SpeedTrial::Verdict::more) {
-        // What happens while shaders are still being compiled does not count.
+        // Frames during the compilation of shaders do not count.
         const bool settling = frames * 0.05 < SpeedTrial::kSettling - 0.06;
         verdict = trial.count(0.05, settling ? 0 : 0.05 * ratio);
         ++frames;

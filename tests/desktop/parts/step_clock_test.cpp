@@ -1,4 +1,4 @@
-// The metal's time against the hand's time at different frame rates and on machines of different speed.
+// Tests the metal's time against the hand's time at different frame rates and on machines of different speed.
 #include "app/activities/step_clock.hpp"
 #include "core/training/attempt/checkpoint_pace.hpp"
 #include "tests/support/catch.hpp"
@@ -7,10 +7,10 @@ namespace meltpool {
 
 namespace {
 
-constexpr double kStep = 0.01; // s, of the metal
+constexpr double kStep = 0.01; // s of the metal
 
-/// Frames of a machine that needs `cost` s for a step and `picture` s for the rest, on a display that waits until
-/// `shortest` s have passed. Answers simulated over real time of the last of ten seconds.
+/// Runs frames of a machine that needs `cost` s for a step and `picture` s for the rest, on a display that waits until
+/// `shortest` s have passed. Returns simulated over real time of the last of ten seconds.
 double paceOf(double cost, double picture, double shortest) {
     StepClock clock;
     double elapsed = shortest, real = 0, simulated = 0;
@@ -46,16 +46,16 @@ TEST_CASE("a machine that is too slow is slow by as much as its steps are, and i
     for (int i = 0; i < 100; ++i)
         CHECK(clock.due(0.5, kStep) == 4); // 80 ms of steps
     CHECK(clock.speed() == Approx(4 * kStep / 0.5).epsilon(0.05));
-    CHECK(clock.due(0, kStep) <= 1); // no debt was kept
+    CHECK(clock.due(0, kStep) <= 1); // no debt remains
     CHECK(clock.due(0, kStep) == 0);
     CHECK(paceOf(0.02, 0.02, 1.0 / 60) == Approx(0.4).margin(0.02));
-    CHECK(paceOf(0.2, 0.02, 1.0 / 60) == Approx(kStep / 0.22).margin(0.01)); // a step a frame at least
+    CHECK(paceOf(0.2, 0.02, 1.0 / 60) == Approx(kStep / 0.22).margin(0.01)); // at least a step a frame
 }
 
 TEST_CASE("steps beside a picture fill its time or a frame of twenty a second, and the metal is as fast as they are") {
     struct Machine {
-        double cost, picture; // s, of a step and of a frame besides steps
-        double longest;       // s that its frames take
+        double cost, picture; // s of a step, and of a frame apart from steps
+        double longest;       // longest of its frames, s
     };
     for (const auto& [cost, picture, longest] :
          {Machine{0.011, 0.03, 0.056}, Machine{0.011, 0.06, 0.067}, Machine{0.02, 0.03, 0.061},
@@ -74,7 +74,7 @@ TEST_CASE("steps beside a picture fill its time or a frame of twenty a second, a
             simulated += due * kStep;
             busy += due * cost;
         }
-        // Beside a picture beyond kBusy the steps rest: a longer frame would lose the hand.
+        // The steps rest during a picture longer than kBusy: a longer frame would lose the hand.
         const double leastBusy = picture > StepClock::kBusy ? 0.35 : 0.96;
         if (cost < kStep)
             CHECK(simulated / real == Approx(1).margin(0.02));
@@ -84,7 +84,8 @@ TEST_CASE("steps beside a picture fill its time or a frame of twenty a second, a
 }
 
 TEST_CASE("when an arc makes steps dearer and dearer no frame takes so long that the hand is lost") {
-    // As measured of the tee on two cores: cold steps cost 1 ms, and within some frames of the strike 6 ms, growing on.
+    // Costs measured in the tee on two cores: cold steps cost 1 ms, and within some frames of the strike 6 ms, still
+    // growing.
     StepClock clock;
     double elapsed = 0.1, cost = 0.001;
     for (int frame = 0; frame < 60; ++frame) {
@@ -110,7 +111,7 @@ TEST_CASE("a frame that took longer than can be made good has dropped what the h
     clock.restart();
     clock.due(9, kStep);
     CHECK_FALSE(clock.dropped());
-    clock.took(0.08, 1); // a slow metal: one step a frame
+    clock.took(0.08, 1); // slow metal: one step a frame
     for (int i = 0; i < 20; ++i)
         clock.due(0.5, kStep);
     CHECK_FALSE(clock.dropped());

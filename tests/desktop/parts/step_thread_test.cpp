@@ -1,4 +1,4 @@
-// The thread that makes the metal's steps beside a picture, without a window.
+// Tests the thread that makes the metal's steps while a picture is drawn, without a window.
 #include "app/desktop/step_thread.hpp"
 #include "core/base/error.hpp"
 #include "core/gl/order.hpp"
@@ -65,7 +65,7 @@ TEST_CASE("the thread of the steps works while the other one goes on, and each w
     for (int frame = 1; frame <= 200; ++frame) {
         goes = false;
         thread.begin([&] {
-            while (!goes) // until the other thread has gone on
+            while (!goes) // until the other thread has continued
                 std::this_thread::yield();
             ++works;
         });
@@ -73,7 +73,7 @@ TEST_CASE("the thread of the steps works while the other one goes on, and each w
         thread.wait();
         REQUIRE(works == frame);
     }
-    thread.wait(); // nothing was begun
+    thread.wait(); // no work was begun
     CHECK(works == 200);
 }
 
@@ -106,7 +106,7 @@ TEST_CASE("without a context no steps are made beside the picture") {
     Calls calls;
     CHECK_FALSE(StepThread(fake(calls, false)).usable());
     CHECK(calls.destroyed);
-    CHECK(calls.left == std::thread::id()); // what was not entered is not left
+    CHECK(calls.left == std::thread::id()); // a context that was not entered is not left
 }
 
 TEST_CASE("work is run on the thread of the steps at once, after what was begun") {
@@ -121,7 +121,7 @@ TEST_CASE("work is run on the thread of the steps at once, after what was begun"
     bool there = false;
     thread.run([&] {
         order.push_back(2);
-        thread.run([&] { // over there it is a plain call
+        thread.run([&] { // a plain call on the thread itself
             order.push_back(3);
             there = thread.here();
         });

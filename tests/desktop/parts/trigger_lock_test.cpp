@@ -1,4 +1,4 @@
-// The heat stays out until the trigger, or the mouse's button, has been let go.
+// Tests that the heat stays out until the trigger, or the mouse's button, is released.
 #include "app/session/controls.hpp"
 #include "tests/support/catch.hpp"
 
@@ -13,7 +13,7 @@ InputFrame button(bool held, std::initializer_list<Key> struck = {}) {
     return input;
 }
 
-/// The button is held, `change` happens, and the source is on again only after the button was let go.
+/// Holds the button, makes `change` happen, and checks that the source is on again only after the button's release.
 template <class Change>
 void checkStaysOut(const Change& change) {
     Controls controls;
@@ -41,7 +41,7 @@ TEST_CASE("a locked trigger counts when it was let go, and not while nobody know
     CHECK(lock.reason() == ArcOut::recentred);
     CHECK(lock.pass(0.7f) == 0.0f);
     CHECK(lock.holdsBack());
-    CHECK(lock.pass(0.0f, false) == 0.0f); // out of sight: 0 is what is read, not what the finger does
+    CHECK(lock.pass(0.0f, false) == 0.0f); // out of sight: the value read is 0, not the finger's
     CHECK(lock.locked());
     CHECK_FALSE(lock.holdsBack());
     CHECK(lock.pass(0.06f) == 0.0f);

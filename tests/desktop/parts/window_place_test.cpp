@@ -1,4 +1,4 @@
-// The window's size and place for work areas, densities and several screens.
+// Tests the window's size and place for work areas, densities and several screens.
 #include "app/desktop/window_place.hpp"
 #include "tests/support/catch.hpp"
 
@@ -23,7 +23,7 @@ TEST_CASE("the window grows with the desktop's scale as far as the work area all
     CHECK(fittingSize(kUsual, 3, {{0, 40}, {3840, 2120}}, frame) == glm::ivec2(3832, 2086));
     CHECK(fittingSize(kUsual, 1, {{0, 0}, {800, 600}}, frame) == glm::ivec2(792, 566));
     CHECK(fittingSize(kUsual, 1, {{0, 24}, {1024, 576}}, {}) == glm::ivec2(1024, 576));
-    CHECK(fittingSize(kUsual, 2, {}, frame) == glm::ivec2(2560, 1440)); // nothing is known of the screen
+    CHECK(fittingSize(kUsual, 2, {}, frame) == glm::ivec2(2560, 1440)); // the screen is unknown
 }
 
 TEST_CASE("the smallest window grows with the scale too, but never beyond the one that fits") {
@@ -39,7 +39,7 @@ TEST_CASE("a window that sticks out of the work area goes to its middle, another
     CHECK(placeInside({{104, 55}, {600, 400}}, frame, workArea) == glm::ivec2(300, 190));
     CHECK(placeInside({{105, 54}, {600, 400}}, frame, workArea) == glm::ivec2(300, 190));
     CHECK(placeInside({{600, 55}, {600, 400}}, frame, workArea) == glm::ivec2(300, 190));
-    CHECK_FALSE(placeInside({{105, 55}, {990, 670}}, frame, workArea)); // fills it
+    CHECK_FALSE(placeInside({{105, 55}, {990, 670}}, frame, workArea)); // the window fills it
     CHECK(placeInside({{0, 0}, {2000, 2000}}, frame, workArea) == glm::ivec2(105, 55));
     CHECK_FALSE(placeInside({{-50, -50}, {600, 400}}, frame, {}));
 }
@@ -52,7 +52,7 @@ TEST_CASE("full screen goes to the screen that shows most of the window") {
     CHECK(screenOf({{1200, 300}, {1280, 720}}, screens) == 0); // 720 points on the first, 560 on the second
     CHECK(screenOf({{1400, 300}, {1280, 720}}, screens) == 1);
     CHECK(screenOf({{-900, 300}, {1280, 500}}, screens) == 2);
-    CHECK(screenOf({{9000, 9000}, {10, 10}}, screens) == 0); // on none
+    CHECK(screenOf({{9000, 9000}, {10, 10}}, screens) == 0); // the window is on no screen
 }
 
 } // namespace meltpool::test
