@@ -1,4 +1,4 @@
-// Window, screenshot and frames for the headset's tests.
+// Implements window, screenshot and frames for the headset's tests.
 #include "tests/xr/bench.hpp"
 
 #include "core/base/error.hpp"
@@ -23,7 +23,7 @@ std::string fromBench(const char* variable) {
     return value;
 }
 
-/// The 8 bits of a colour mask.
+/// Returns the 8 bits of a colour mask.
 std::uint8_t channel(unsigned long pixel, unsigned long mask) {
     while (mask != 0 && (mask & 1u) == 0) {
         mask >>= 1;
@@ -34,7 +34,7 @@ std::uint8_t channel(unsigned long pixel, unsigned long mask) {
 
 constexpr const char* kLayer = "XR_APILAYER_LUNARG_core_validation";
 
-/// Set before main, since the loader looks at it when the first instance is made.
+/// Sets the variable before main, since the loader reads it when the first instance is made.
 const bool layerAsked = [] {
     const char* folder = std::getenv("MELTPOOL_XR_BENCH");
     if (folder == nullptr) return false;
@@ -126,12 +126,12 @@ Window windowOf(Display* display, const std::string& title) {
     return found;
 }
 
-/// Where a window goes in the screen's lower right corner.
+/// Place of a window in the screen's lower right corner.
 struct Corner {
     int left = 0, top = 0, width = 0, height = 0;
 };
 
-/// The corner for the window of that title; moves it there where asked.
+/// Returns the corner for the window of that title; moves it there if requested.
 Corner cornerOf(const std::string& title, bool move) {
     Display* display = XOpenDisplay(nullptr);
     if (display == nullptr) throw RuntimeFault("no X display for the window's picture");
@@ -167,7 +167,7 @@ Image windowPicture(const std::string& title) {
 }
 
 Image shownEye(const Image& screen, int eye) {
-    // Monado's window for its remote headset.
+    // Size of Monado's window for its remote headset.
     constexpr int kWidth = 480, kHeight = 540;
     Image cut{kWidth, kHeight, {}};
     for (int y = 0; y < kHeight; ++y) {
@@ -194,7 +194,7 @@ xr::FrameTiming stepFrame(xr::Headset& headset, const std::function<void(const x
             return timing;
         }
     } catch (const xr::Stalled&) {
-        // A busy machine; poll() goes on when the runtime has answered.
+        // The machine is busy; poll() continues when the runtime has answered.
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
     return {};
@@ -202,7 +202,7 @@ xr::FrameTiming stepFrame(xr::Headset& headset, const std::function<void(const x
 
 namespace {
 
-/// Repeats `turn` until it answers true; false after kPatience.
+/// Repeats `turn` until it returns true; false after kPatience.
 template <class Turn>
 bool repeatUntil(const Turn& turn) {
     using Clock = std::chrono::steady_clock;

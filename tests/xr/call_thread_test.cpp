@@ -1,4 +1,4 @@
-// A call that hangs does not block the thread that began it, and its object lives until the call is over.
+// Tests that a call that hangs does not block its thread, and its object lives until the call is over.
 #include "tests/support/catch.hpp"
 #include "xr/call_thread.hpp"
 
@@ -15,10 +15,10 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// Far beyond what anything here takes, sanitizer and busy machine included.
+/// Time limit far beyond any run, sanitizer and busy machine included.
 constexpr auto kPatience = 300s;
 
-/// A runtime that hangs until it is told to go on.
+/// Imitates a runtime that hangs until it is released.
 struct Gate {
     std::mutex mutex;
     std::condition_variable changed;
@@ -59,7 +59,7 @@ void fail(xr::ThreadOwned&) {
     throw std::runtime_error("lost");
 }
 
-/// Keeps the processor for 20 ms of its time, of which a driver and a wait have 5 each.
+/// Loads the processor for 20 ms of its time, of which a driver and a wait have 5 each.
 void work(xr::ThreadOwned&) {
     const auto keep = [](double seconds) {
         const auto now = [] {
@@ -131,14 +131,15 @@ TEST_CASE("a call's work is told to who measures it: without drivers, without wa
         REQUIRE(thread.wait(kPatience));
         return thread.work().cpuSeconds;
     };
-    /// The least of some calls: a host that takes the processor away, or a sanitizer at work, adds to single ones.
+    /// The least of some calls counts: a host that takes the processor away, or a sanitizer at work, adds to single
+    /// ones.
     const auto least = [&](xr::CallThread::Call call) {
         double seconds = took(call);
         for (int i = 1; i < 8; ++i)
             seconds = std::min(seconds, took(call));
         return seconds;
     };
-    CHECK(took(work) == 0); // nobody measures
+    CHECK(took(work) == 0); // no meter runs
     WorkMeter meter;
     meter.begin();
     const double busy = least(work);

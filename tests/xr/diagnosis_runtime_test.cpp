@@ -1,4 +1,4 @@
-// What `meltpool doctor` says of a real runtime, on a context that has no window.
+// Tests the report of `meltpool doctor` on a real runtime, on a context without a window.
 #include "core/gl/context.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/xr/bench.hpp"
@@ -31,7 +31,7 @@ TEST_CASE("the doctor sees runtime, headset, formats, rate and controllers", "[r
     // The validation layer does not know the EGL binding's struct and refuses the session.
     const std::string layers = std::getenv("XR_ENABLE_API_LAYERS");
     unsetenv("XR_ENABLE_API_LAYERS");
-    // The doctor gives controllers a few seconds, and tells the rate at which this machine's frames come.
+    // The doctor gives controllers a few seconds, and reports the rate of this machine's frames.
     xr::Diagnosis told;
     CHECK(waitUntil([&] {
         told = xr::diagnose(true);

@@ -1,4 +1,4 @@
-// The whole program while the real runtime hangs, is killed, or shows another program.
+// Tests the whole program while the real runtime hangs, is killed, or shows another program.
 #include "core/weld/torch/torch_csv.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/xr/trainee.hpp"
@@ -30,7 +30,7 @@ auto modeIs(const char* mode) {
     return [mode](const json& row) { return row["headset"]["mode"] == mode; };
 }
 
-/// Longest time between two of the window's rows (one every 0.05 s where frames come) from `since` on, s.
+/// Returns the longest time between two of the window's rows (one every 0.05 s if frames come) from `since` on, s.
 double longestPause(TrainerProcess& trainer, double since) {
     double longest = 0, last = since;
     for (const json& row : trainer.rows()) {
@@ -41,7 +41,7 @@ double longestPause(TrainerProcess& trainer, double since) {
     return longest;
 }
 
-/// One row a step, without a gap, readable to the end.
+/// Requires one row a step, without a gap, readable to the end.
 void requireWhole(const fs::path& record) {
     const TorchRecording whole = readTorchCsv(record);
     REQUIRE(whole.samples.size() > 10);
@@ -69,7 +69,7 @@ TEST_CASE("the runtime hangs in mid-weld: the desk goes on, the arc is out, and 
     CHECK_THAT(hung["headset"]["warning"].get<std::string>(), containsText("arc is out"));
     CHECK(trainer.waitFor(
         [](const json& row) { return row["messages"].dump().find("does not answer") != std::string::npos; }));
-    // The lesson and the window go on, which they could not if a frame waited for the runtime.
+    // Lesson and window continue, which proves that no frame waits for the runtime.
     CHECK(trainer.waitFor([&](const json& row) {
         return row["metal"]["steps"] > hung["metal"]["steps"].get<int>() + 20 &&
                row["frame"] > hung["frame"].get<int>() + 20;
@@ -78,16 +78,16 @@ TEST_CASE("the runtime hangs in mid-weld: the desk goes on, the arc is out, and 
     REQUIRE(kill(servicePid(), SIGCONT) == 0);
     CHECK(trainer.waitFor(running));
     CHECK(trainer.waitFor([](const json& row) { return row["headset"]["tracked"] == true; }));
-    CHECK(trainer.now()["headset"]["openings"] == 1); // the same session goes on
+    CHECK(trainer.now()["headset"]["openings"] == 1); // the session is unchanged
     passFrames(trainer, 5);
-    CHECK(trainer.now()["torch"]["trigger"] == 0); // the trigger has not been let go
+    CHECK(trainer.now()["torch"]["trigger"] == 0); // the trigger has not been released
     trainee->letGo(trainer);
     CHECK(trainee->strike(trainer, glm::vec3(0.018f), burns));
     const double pause = longestPause(trainer, before);
     WARN("longest pause of the window while the runtime hung and came back: " << pause << " s");
     CHECK(trainer.misuses() == "");
 
-    // It hangs again and is killed, which counts as any other loss.
+    // The runtime hangs again and is killed, which counts as any other loss.
     const double again = trainer.now()["seconds"];
     REQUIRE(kill(servicePid(), SIGSTOP) == 0);
     REQUIRE(trainer.waitFor(stateIs("stalled")));
@@ -99,7 +99,7 @@ TEST_CASE("the runtime hangs in mid-weld: the desk goes on, the arc is out, and 
     trainee = std::make_unique<Trainee>();
     CHECK(trainer.waitFor([](const json& row) { return row["headset"]["tracked"] == true; }));
 
-    // And it hangs for good: the program still ends.
+    // The runtime hangs for good now: the program still ends.
     const int hanging = servicePid();
     REQUIRE(kill(hanging, SIGSTOP) == 0);
     CHECK(trainer.waitFor(stateIs("stalled")));
@@ -123,8 +123,8 @@ TEST_CASE(
     REQUIRE(trainer.waitFor(ready));
     trainee.lookDown();
     trainee.aim({0, 0.003f, 0}, 1.0f);
-    // A runtime that paces by the slow frames makes the program wait, and is never content when it gets no others: then
-    // no frame in use follows another.
+    // A runtime that adapts its pace to slow frames makes the program wait, and is never content without other frames:
+    // no frame in use follows another then.
     long long since = -1;
     CHECK(trainer.waitFor([&](const json& row) {
         if (row["headset"]["state"] != "running")
@@ -164,7 +164,7 @@ TEST_CASE("another program comes before the trainee's eyes: input and arc are go
     CHECK(trainer.waitFor(modeIs("focused")));
     CHECK(trainer.waitFor([](const json& row) { return row["headset"]["tracked"] == true; }));
     passFrames(trainer, 5);
-    CHECK(trainer.now()["torch"]["trigger"] == 0); // the trigger has not been let go
+    CHECK(trainer.now()["torch"]["trigger"] == 0); // the trigger has not been released
     trainee.letGo(trainer);
     CHECK(trainee.strike(trainer, glm::vec3(0.018f), burns));
     CHECK(trainer.waitFor([](const json& row) { return row["headset"]["mirrored"] == true; }));

@@ -1,4 +1,4 @@
-// Vibration in the whole program: it depends on the metal at the tip, never on the button alone.
+// Tests vibration in the whole program: it depends on the metal at the tip, never on the button alone.
 #include "tests/support/catch.hpp"
 #include "tests/xr/trainee.hpp"
 
@@ -18,8 +18,8 @@ auto actionIs(const char* action) {
     return [action](const json& row) { return row["headset"]["tip"]["action"] == action; };
 }
 
-/// The runtime answered in every frame from that one on. Where it does not for a while, the torch is out of sight, and
-/// touches anew when it is back.
+/// Returns true if the runtime answered in every frame from that one on. During a gap the torch is out of sight, and
+/// touches again after it.
 bool answeredSince(TrainerProcess& trainer, long long frame) {
     for (const json& row : trainer.rows())
         if (row["frame"] >= frame && (row["headset"]["state"] != "running" || row["headset"]["tracked"] == false))
@@ -27,8 +27,8 @@ bool answeredSince(TrainerProcess& trainer, long long frame) {
     return true;
 }
 
-/// From above onto the cube's upper face (20 mm over its middle, shown up to a coarse cell of 2.5 mm farther), without
-/// heat: it knocks once, and no sooner. False where the runtime did not answer meanwhile.
+/// Lowers the tip from above onto the cube's upper face (20 mm over its middle, shown up to a coarse cell of 2.5 mm
+/// farther), without heat: it knocks once, and no sooner. Returns false if the runtime did not answer meanwhile.
 bool knocksOnce(TrainerProcess& trainer, Trainee& trainee) {
     trainee.aim({0.0f, 0.04f, 0.0f}, 0.0f);
     passFrames(trainer, 8);
@@ -41,7 +41,7 @@ bool knocksOnce(TrainerProcess& trainer, Trainee& trainee) {
     const json above = tipOf(trainer);
     trainee.aim({0.0f, 0.016f, 0.0f}, 0.0f);
     CHECK(trainer.waitFor([&](const json& row) { return row["headset"]["tip"]["touches"] > touches; }));
-    // A knock ends, though the tip stays.
+    // A knock ends even while the tip stays.
     CHECK(trainer.waitFor([&](const json& row) {
         const json& now = row["headset"]["tip"];
         return now["pulses"] > pulses && now["amplitude"] == 0;
@@ -64,7 +64,7 @@ TEST_CASE("a touch knocks without heat, the flame hums where metal takes its hea
     TrainerProcess trainer(folder, {"--headset", "--lesson", smallLesson(folder).string()});
     REQUIRE(trainer.waitFor(ready));
 
-    // The trigger far from the metal: nothing.
+    // The trigger far from the metal has no effect.
     CHECK(trainee.strike(trainer, {0.0f, 0.06f, 0.02f}, [](const json& row) {
         const json& nearest = row["headset"]["tip"]["nearest_mm"]; // null while no metal is near
         return row["torch"]["trigger"] == 1 && nearest.is_number() && std::abs(nearest.get<double>() - 40) < 8;
@@ -83,7 +83,7 @@ TEST_CASE("a touch knocks without heat, the flame hums where metal takes its hea
         knock = std::max(knock, row["headset"]["tip"]["amplitude"].get<double>());
     WARN("knock of amplitude " << knock << " in " << still["pulses"] << " pulses");
 
-    // Heat hums, and ends with the trigger.
+    // Heat hums, and the hum ends with the trigger.
     const glm::vec3 near(0.0f, 0.021f, 0.0f);
     trainee.aim(near, 0.0f);
     passFrames(trainer, 4);

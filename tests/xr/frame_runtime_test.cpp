@@ -1,4 +1,4 @@
-// A frame in the headset allocates nothing and never waits for the GPU. How long it takes is printed, not judged.
+// Tests that a frame in the headset allocates nothing and never waits for the GPU. Its duration is printed, not judged.
 #if defined(MELTPOOL_CALL_COUNTERS) // sanitizer builds have none
 #include "tests/support/catch.hpp"
 #include "tests/xr/trainee.hpp"
@@ -25,12 +25,12 @@ bool armed(const json& row) {
     return row["headset"]["trigger_locked"] == false;
 }
 
-/// What `count` further frames cost.
+/// Costs of `count` further frames.
 struct Round {
-    int allocating = 0; ///< frames
+    int allocating = 0; ///< frames that allocate
     int stalls = 0;
-    bool inUse = false; ///< the headset, in every frame
-    bool armed = false; ///< a pulled trigger counts at its end
+    bool inUse = false; ///< the headset is in use in every frame
+    bool armed = false; ///< a pulled trigger counts at the end of the round
     bool clean() const { return inUse && armed && allocating == 0 && stalls == 0; }
 };
 
@@ -61,9 +61,9 @@ Round costOf(TrainerProcess& trainer, const std::string& when, int count) {
 }
 
 /// Checks that frames neither allocate nor wait for the GPU. On a busy machine the runtime is too slow for a frame now
-/// and then, which takes memory for an exception, or does not answer for seconds, in which the window goes on alone; so
-/// two clean rounds of `count` frames in a row with the headset are waited for. What a frame does every time, or once
-/// in `count` frames, leaves none clean. `resume` brings back what a round must begin with.
+/// and then, which takes memory for an exception, or does not answer for seconds, in which the window continues alone.
+/// The check therefore waits for two clean rounds of `count` frames in a row with the headset. A cost of every frame,
+/// or of one in `count` frames, leaves no round clean. `resume` restores the state for the begin of a round.
 void checkFrames(TrainerProcess& trainer, const std::string& when, int count, const std::function<void()>& resume) {
     int cleanInARow = 0;
     for (int round = 0; round < 40 && cleanInARow < 2; ++round) {
@@ -88,7 +88,7 @@ TEST_CASE("a frame in the headset allocates nothing and never waits for the GPU"
     trainee.lookDown();
     const glm::vec3 corner(0.018f);
     REQUIRE(trainee.strike(trainer, corner, heats));
-    passFrames(trainer, 60); // the first of them may allocate buffers that are kept
+    passFrames(trainer, 60); // the first frames may allocate lasting buffers
     checkFrames(trainer, "welding", 30, [&] { REQUIRE(trainee.strike(trainer, corner, heats)); });
     trainee.aim(glm::vec3(0.08f), 0.0f);
     trainee.showPanel(trainer, true);
@@ -109,7 +109,7 @@ TEST_CASE("a frame of a weld allocates nothing either", "[runtime]") {
     trainee.lookDown();
     REQUIRE(trainee.strike(trainer, {0, 0.003f, 0}, [](const json& row) { return row["metal"]["molten"] > 5; }));
     passFrames(trainer, 40);
-    // Where the runtime did not answer for a while, the arc is out and has to be struck again.
+    // After a gap of the runtime the arc is out and must be struck again.
     checkFrames(trainer, "welding a plate", 20, [&] {
         if (armed(trainer.now())) return;
         REQUIRE(trainee.strike(trainer, {0, 0.003f, 0}, burns));

@@ -1,4 +1,4 @@
-// The samples that a controller plays instead of a plain vibration.
+// Tests the samples that a controller plays instead of a plain vibration.
 #include "tests/support/catch.hpp"
 #include "xr/haptic_pulse.hpp"
 

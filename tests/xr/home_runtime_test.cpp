@@ -1,4 +1,4 @@
-// The whole program on a real runtime: from the list of lessons on the panel to the result, again, and back.
+// Tests the whole program on a real runtime: from the list of lessons on the panel to the result, again, and back.
 #include "core/base/text.hpp"
 #include "core/training/attempt/recording_reader.hpp"
 #include "tests/support/catch.hpp"
@@ -19,7 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The build's data with two lessons: the default one, small, and a bead on a small plate that is judged.
+/// Makes a copy of the build's data with two lessons: the default one, small, and a bead on a small plate that is
+/// judged.
 fs::path smallCatalogue(const fs::path& folder) {
     const fs::path share = folder / "share";
     const fs::path built = test::buildFolder() / "share" / "meltpool";
@@ -41,7 +42,7 @@ bool onPage(const json& row, const std::string& page) {
     return row["page"] == page;
 }
 
-/// Starts the program with these data and no lesson named.
+/// Starts the program with these data and without a lesson.
 std::unique_ptr<TrainerProcess> startAtHome(const fs::path& folder) {
     const char* const kVariable = "MELTPOOL_DATA";
     const std::string before = std::getenv(kVariable) == nullptr ? "" : std::getenv(kVariable);
@@ -55,7 +56,7 @@ std::function<bool(const json&)> offers(const std::string& place) {
     return [place](const json& row) { return row["headset"]["places"].contains(place); };
 }
 
-/// The head goes there and looks so far down, radians.
+/// Moves the head to `from` and pitches it by `down`, radians, negative downwards.
 void look(Trainee& trainee, const glm::vec3& from, float down) {
     trainee.state.head.position = from;
     trainee.state.head.orientation = glm::angleAxis(down, glm::vec3(1, 0, 0));
@@ -70,7 +71,7 @@ void weldBead(Trainee& trainee, TrainerProcess& trainer) {
         const double from = trainer.now()["metal"]["time"];
         trainee.aim({x, 0.003f, 0}, 1.0f);
         REQUIRE(trainer.waitFor([&](const json& row) { return row["metal"]["time"] > from + 0.05; }));
-        // A runtime that did not answer for a while puts the arc out.
+        // A gap of the runtime puts the arc out.
         if (trainer.now()["headset"]["trigger_locked"] == true)
             REQUIRE(trainee.strike(trainer, {x, 0.003f, 0}, [](const json& row) {
                 return row["headset"]["trigger_locked"] == false && row["headset"]["tip"]["action"] != "out";
@@ -82,8 +83,8 @@ void weldBead(Trainee& trainee, TrainerProcess& trainer) {
     }));
 }
 
-/// From the list of attempts on the panel: the attempt that was judged, the last but one, is played to its end, to the
-/// bits of its recording, and taken back to its first second.
+/// Opens the judged attempt, the last but one in the panel's list, plays it to its end, to the bits of its recording,
+/// and goes back to its first second.
 void replayTheWeld(Trainee& trainee, TrainerProcess& trainer) {
     REQUIRE(trainer.waitFor(offers("home.attempts")));
     trainee.press(trainer, "home.attempts", offers("home.attempt.1.play"));
@@ -138,11 +139,12 @@ TEST_CASE("a lesson is picked on the panel, demonstrated, welded, judged and beg
 
     weldBead(trainee, trainer);
     INFO(trainer.now()["judgement"].dump());
-    CHECK_THAT(trainer.now()["judgement"]["score"].get<std::string>(), containsText("core")); // scored, or why not
-    CHECK(trainer.now()["panels"]["result"] == true);                                         // in the window too
+    // A score, or the reason without one.
+    CHECK_THAT(trainer.now()["judgement"]["score"].get<std::string>(), containsText("core"));
+    CHECK(trainer.now()["panels"]["result"] == true); // the window shows it too
     keepPicture(screenshot(), "result.png");
 
-    // Cut open where it lies, and closed again.
+    // The weld is cut open in its place, and closed again.
     trainee.press(trainer, "cut.open", [](const json& row) { return !row["cut"].is_null(); });
     REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["places"].contains("cut.place"); }));
     CHECK(trainer.now()["cut"]["judged"] == true);
@@ -153,13 +155,13 @@ TEST_CASE("a lesson is picked on the panel, demonstrated, welded, judged and beg
     trainee.showPanel(trainer, true);
     trainee.press(trainer, "cut.open", [](const json& row) { return row["cut"].is_null(); });
 
-    // The other hand's trigger, pointing at the ceiling: the next attempt.
+    // The other hand's trigger, pointing at the ceiling, asks for the next attempt.
     trainee.state.hands[0].active = true;
     trainee.state.hands[0].pose.orientation = glm::angleAxis(1.4f, glm::vec3(1, 0, 0));
     trainee.send();
     passFrames(trainer, 10);
     bool again = false;
-    for (int attempt = 0; attempt < 5 && !again; ++attempt) { // a frame that the runtime does not answer loses a pull
+    for (int attempt = 0; attempt < 5 && !again; ++attempt) { // an unanswered frame loses a pull
         trainee.state.hands[0].trigger = 1;
         trainee.send();
         again = comesTrue(trainer, 60, [](const json& row) { return row["judgement"].is_null(); });
@@ -194,7 +196,7 @@ TEST_CASE("in the headset an attempt goes back, is held against another one, and
     trainee.showPanel(trainer, false);
     weldBead(trainee, trainer);
 
-    // Back by three seconds, or to the beginning, and on to another end: practice.
+    // The attempt goes back by three seconds, or to the beginning, and on to another end: practice.
     trainee.showPanel(trainer, true);
     REQUIRE(trainer.waitFor(offers("result.redo")));
     trainee.press(trainer, "result.redo", [](const json& row) { return row["judgement"].is_null(); });

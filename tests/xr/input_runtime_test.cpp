@@ -1,4 +1,4 @@
-// Scripted controllers through a real runtime: poses, trigger, buttons, switching off, vibration.
+// Tests scripted controllers through a real runtime: poses, trigger, buttons, switching off, vibration.
 #include "core/weld/torch/torch_path.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/xr/bench.hpp"
@@ -11,7 +11,7 @@ using xr::Hand;
 
 namespace {
 
-/// A focused headset whose pictures do not matter.
+/// Holds a focused headset whose pictures do not matter.
 struct Hands {
     RemoteDriver driver{benchPort()};
     RemoteState state;
@@ -35,7 +35,7 @@ struct Hands {
         state.hands[0].thumbstickX = mark;
         driver.send(state);
     }
-    /// The state that was sent last has arrived.
+    /// Returns true if the last sent state has arrived.
     bool arrived() { return std::abs(hand(Hand::left).scrollX - mark) < 0.01f; }
     /// Sends the state and steps frames until it has arrived.
     void step() {
@@ -45,8 +45,8 @@ struct Hands {
     const xr::HandInput& hand(Hand which) { return headset->input().hand(which); }
 };
 
-/// How often a button tells that it went down while it is held for six frames. A frame that the runtime does not answer
-/// takes the word with it, and the button is pressed again.
+/// Counts the presses that a button reports while it is held for six frames. An unanswered frame loses the report, and
+/// the button is pressed again.
 int edgesOfMenu(Hands& hands) {
     int edges = 0;
     bool answered = false;
@@ -67,8 +67,8 @@ int edgesOfMenu(Hands& hands) {
     return edges;
 }
 
-/// Plays five frames, the last word of each being `pulse`, then is silent for five; what the runtime was asked for.
-/// Nothing where it did not answer in one of them, which is then played again.
+/// Plays five frames, each with `pulse` as its last call, then stops for five; returns the calls to the runtime. Empty
+/// if it did not answer in one of them; the caller then plays them again.
 std::optional<xr::Input::HapticCalls> playAndStop(xr::Headset& headset, const xr::HapticPulse& pulse) {
     int begun = 0;
     const auto play = [&] {
@@ -124,7 +124,7 @@ TEST_CASE("a controller's grip pose, trigger and buttons arrive", "[runtime]") {
     CHECK(std::abs(glm::dot(after.orientation, before.orientation)) > 0.99999f);
     CHECK(glm::distance(after.position, hands.state.hands[1].pose.position) < 0.2f);
 
-    CHECK(edgesOfMenu(hands) == 1); // once, when it went down, however long it is held
+    CHECK(edgesOfMenu(hands) == 1); // one press, however long it is held
     CHECK(misuses() == "");
 }
 
@@ -137,11 +137,11 @@ TEST_CASE("a controller that is switched off is told at once and comes back", "[
 
     hands.state.hands[1].active = false;
     hands.step();
-    int frames = 0; // after the one in which the controller's silence arrived
+    int frames = 0; // frames after the one that brought the inactive controller
     for (; hands.hand(Hand::right).tracked && frames < 10; ++frames)
         REQUIRE(stepFrames(*hands.headset, 1));
     CHECK(frames <= 2);
-    CHECK(glm::distance(hands.hand(Hand::right).grip.position, last) < 0.01f); // the last known place
+    CHECK(glm::distance(hands.hand(Hand::right).grip.position, last) < 0.01f); // last known place
     CHECK(hands.hand(Hand::left).tracked);
 
     hands.state.hands[1].active = true;
@@ -160,7 +160,7 @@ TEST_CASE("the controller vibrates once a frame and is stopped once", "[runtime]
     CHECK(calls->applied == 5);
     CHECK(calls->stopped == 1);
     const unsigned applied = headset.hapticCalls().applied;
-    headset.playTracker(0, {0.5f, 170.0f, 0.05f}); // none is bound: nothing happens
+    headset.playTracker(0, {0.5f, 170.0f, 0.05f}); // no tracker is bound: no effect
     REQUIRE(stepFrames(headset, 1));
     CHECK(headset.hapticCalls().applied == applied);
     CHECK(misuses() == "");

@@ -1,5 +1,5 @@
-// A lesson in the headset ends without warning or on a signal: record and recording are whole and nearly all of the
-// metal's time is in them.
+// Tests that a lesson in the headset, ended without warning or by a signal, leaves a complete record and recording with
+// nearly all of the metal's time.
 #include "core/training/attempt/recording_reader.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/newest_recording.hpp"
@@ -16,14 +16,14 @@ using nlohmann::json;
 
 namespace {
 
-/// s of the metal's time that may be missing in a record or a recording.
+/// Metal's time that may be missing in a record or a recording, s.
 constexpr double kMayBeMissing = 0.2;
 
-/// Welds in the headset, ends the program by the signal after `seconds`, and looks at the record.
+/// Welds in the headset, ends the program by the signal after `seconds`, and checks the record.
 void endInMidWeld(Trainee& trainee, int signal, double seconds, int number) {
     INFO("signal " << signal << " after " << seconds << " s");
     const std::filesystem::path folder = benchFolder() / ("ended " + std::to_string(number));
-    std::filesystem::remove_all(folder); // another test's rows there would be taken for this one's
+    std::filesystem::remove_all(folder); // another test's rows there would count as this one's
     const std::filesystem::path record = folder / "record.csv";
     TrainerProcess trainer(folder,
                            {"--headset", "--lesson", smallLesson(folder).string(), "--record", record.string()});
@@ -44,7 +44,7 @@ void endInMidWeld(Trainee& trainee, int signal, double seconds, int number) {
     CHECK_FALSE(recording.damaged());
     CHECK(recording.seconds() >= time - kMayBeMissing);
     CHECK(recording.end.has_value() == (signal != SIGKILL));
-    // The person in the headset stands in it too.
+    // The recording contains the person in the headset too.
     REQUIRE_FALSE(recording.people.empty());
     CHECK(recording.people.back().head.has_value());
     CHECK((recording.people.back().left.has_value() || recording.people.back().right.has_value()));

@@ -1,4 +1,4 @@
-// The runtime is killed (kill -9), and the headset is used again when it is back.
+// Tests a runtime that is killed (kill -9), and the headset's use after its return.
 #include "tests/support/catch.hpp"
 #include "tests/xr/bench.hpp"
 #include "xr/headset_connection.hpp"
@@ -14,7 +14,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// One turn of a front end's loop: frames while there is a headset. Answers how long it took.
+/// Does one turn of a front end's loop: frames while there is a headset. Returns its duration.
 double turn(xr::HeadsetConnection& link) {
     const auto begin = Clock::now();
     if (link.update() == xr::ConnectionState::running) {
@@ -30,7 +30,7 @@ double turn(xr::HeadsetConnection& link) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-/// How a loop went until the link had a state.
+/// Course of a loop until the link had a state.
 struct Turns {
     bool reached = false; ///< false only after kPatience
     int count = 0;
@@ -70,10 +70,10 @@ TEST_CASE("the runtime is killed: the loop goes on without it and the headset is
     CHECK_FALSE(link.reason().empty());
     CHECK(link.headset() == nullptr);
 
-    // While it is away, for two seconds at least, the loop turns.
+    // The loop turns during the absence, for two seconds at least.
     const Turns absence = turnUntil(link, xr::ConnectionState::running);
     REQUIRE(absence.reached);
-    CHECK(absence.count > 5); // of 10 ms; a loop that waits for a runtime makes one or two
+    CHECK(absence.count > 5); // turns of 10 ms; a loop that waits for a runtime makes one or two
     WARN("longest turn of the loop: " << loss.longest << " s at the loss, " << absence.longest << " s in the absence, "
                                       << absence.count << " turns");
     CHECK(servicePid() != killed);

@@ -1,4 +1,4 @@
-// The file that names the active runtime: what is wrong with it is said at once, with its name.
+// Tests the file that names the active runtime: a fault in it is reported at once, with its name.
 #include "core/base/text.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/environment_change.hpp"
@@ -52,12 +52,12 @@ TEST_CASE("a manifest in order has no fault, wherever its library is named from"
     const fs::path folder = manifest("library.so", "").parent_path();
     const std::string head = "{\"file_format_version\": \"1.0.0\", \"runtime\": {\"library_path\": \"";
     for (const std::string& library : {std::string("./library.so"), (folder / "library.so").string(),
-                                       std::string("libopenxr_system.so")}) { // the last one the system looks for
+                                       std::string("libopenxr_system.so")}) { // the system searches for this one
         const xr::RuntimeManifest found = xr::readRuntimeManifest(manifest("good.json", head + library + "\"}}"));
         CHECK(found.fault == "");
         CHECK(found.library == library);
     }
-    // As a link in another folder, which is how runtimes make themselves the active one.
+    // Runtimes make themselves active by a link in another folder.
     const fs::path link = scratchFolder("manifests-links") / "active_runtime.json";
     fs::create_symlink(manifest("good.json", head + "./library.so\"}}"), link);
     CHECK(xr::readRuntimeManifest(link).fault == "");
@@ -72,7 +72,7 @@ TEST_CASE("the active runtime is looked for where the loader looks") {
     writeTextFileAtomically(common, "garbage");
     CHECK(xr::findRuntimeManifest().file == common.string());
     fs::create_directories(own.parent_path());
-    fs::create_symlink("/nowhere/runtime.json", own); // of a runtime that was removed
+    fs::create_symlink("/nowhere/runtime.json", own); // link to a removed runtime
     CHECK(xr::findRuntimeManifest().file == own.string());
     CHECK_THAT(xr::findRuntimeManifest().fault, containsText("does not exist"));
     const EnvironmentChange named("XR_RUNTIME_JSON", "/else/where.json");

@@ -1,4 +1,5 @@
-// The whole program on a real runtime: warnings stand before the eyes, welds start at real size, another zoom is shown.
+// Tests the notice in the whole program on a real runtime: warnings appear before the eyes, welds start at real size,
+// another zoom is shown.
 #include "core/base/text.hpp"
 #include "core/training/lesson/lesson.hpp"
 #include "tests/support/catch.hpp"
@@ -22,7 +23,7 @@ auto noNotice(const std::string& part) {
         [part](const json& row) { return row["headset"]["notice"].get<std::string>().find(part) == std::string::npos; };
 }
 
-/// The left eye as it is shown some frames later.
+/// Takes a picture of the left eye some frames later.
 Image leftEye(TrainerProcess& trainer) {
     passFrames(trainer, 8);
     return shownEye(screenshot(), 0);
@@ -32,7 +33,7 @@ bool saysTrigger(const json& row) {
     return row["messages"].dump().find("trigger") != std::string::npos;
 }
 
-/// The notice's zoom; 0 without a notice of one.
+/// Returns the zoom in the notice; 0 if it has none.
 float zoomToldIn(const json& row) {
     const std::string text = row["headset"]["notice"].is_string() ? row["headset"]["notice"].get<std::string>() : "";
     const size_t at = text.find("Zoom ");
@@ -48,7 +49,7 @@ TEST_CASE("a lost torch and a locked trigger are told before the eyes and in the
     Trainee trainee;
     TrainerProcess trainer(folder, {"--headset", "--lesson", smallLesson(folder).string()});
     REQUIRE(trainer.waitFor(ready));
-    for (const json& row : trainer.rows()) // the runtime shows the trainer before it gives it the controllers
+    for (const json& row : trainer.rows()) // the runtime shows the trainer before it enables the controllers
         CHECK(row["messages"].dump().find("something else") == std::string::npos);
     trainee.aim({0.03f, 0.04f, 0.03f}, 0.0f);
     trainee.lookDown();
@@ -96,7 +97,8 @@ TEST_CASE("a weld starts at real size whatever the settings say; another zoom pu
     CHECK(trainer.waitFor(torchAt({5, 20, 0})));
     CHECK(noNotice("Zoom")(trainer.now()));
     trainee.showPanel(trainer, true);
-    // The middle of the slider; versions of Dear ImGui differ by a hundredth in the value of one pixel.
+    // The press goes to the middle of the slider; versions of Dear ImGui differ by a hundredth in the value of one
+    // pixel.
     trainee.press(trainer, "headset.weld_zoom",
                   [](const json& row) { return std::abs(zoomToldIn(row) - 5.5f) < 0.1f; });
     trainee.zoom = zoomToldIn(trainer.now());

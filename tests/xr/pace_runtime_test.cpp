@@ -1,6 +1,6 @@
-// The whole program on a real runtime: the metal's time is the hand's time at the display's rate, on a machine with
-// little time for the program too; where it cannot be, the person is told before their eyes. tests/xr/CMakeLists.txt
-// runs it at other display rates too.
+// Tests the pace of the whole program on a real runtime: the metal's time is the hand's time at the display's rate,
+// also on a machine with little time for the program; if it cannot be, a notice appears before the person's eyes.
+// tests/xr/CMakeLists.txt runs it at other display rates too.
 #include "core/base/text.hpp"
 #include "core/training/lesson/recorded_attempt.hpp"
 #include "tests/support/catch.hpp"
@@ -22,7 +22,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kHandSpeed = 0.01; ///< m/s in the workpiece's frame; 40 mm/s in the room at zoom 4
 
-/// Moves the torch to and fro above the metal at constant speed, as far as `now` asks.
+/// Moves the torch to and fro above the metal at constant speed, to its place at this moment.
 void sweep(Trainee& trainee, Clock::time_point begin, float trigger) {
     constexpr double kWay = 0.05; // m in the workpiece's frame
     const double turns = std::chrono::duration<double>(Clock::now() - begin).count() * kHandSpeed / kWay;
@@ -30,17 +30,17 @@ void sweep(Trainee& trainee, Clock::time_point begin, float trigger) {
     trainee.aim({float(-0.02 + kWay * part), 0.03f, 0.018f}, trigger);
 }
 
-/// What happened between two rows of the telemetry.
+/// Differences between two rows of the telemetry.
 struct Stretch {
     double real = 0;  ///< s
     double metal = 0; ///< s
-    double way = 0;   ///< m along x that the torch went in the metal's frame, to and fro added up
+    double way = 0;   ///< way of the torch along x in the metal's frame, to and fro added up, m
     double steps = 0, frames = 0;
     double ratio() const { return metal / real; }
     double speedInMetal() const { return way / metal; }
 };
 
-/// The rows that it is given, one after the other.
+/// Collects the given rows, one after the other.
 class Rows {
   public:
     void add(const json& row) {
@@ -48,7 +48,7 @@ class Rows {
         rows_.push_back({row["seconds"], metal["time"], 1e-3 * row["torch"]["tip_mm"][0].get<double>(), metal["steps"],
                          row["frame"]});
     }
-    /// Of the last `seconds` of real time.
+    /// Returns the stretch of the last `seconds` of real time.
     Stretch last(double seconds) const {
         Stretch stretch;
         for (size_t i = rows_.size(); i-- > 1 && stretch.real < seconds;) {
@@ -73,13 +73,13 @@ bool toldSlow(const json& row) {
     return row["headset"]["notice"].get<std::string>().find("% of real time") != std::string::npos;
 }
 
-/// A machine that is busy with other things has no time for more: frames are few, each takes several steps all the
-/// same, and the person is told.
+/// Returns true if a busy machine has no time for more: frames are few, each takes several steps all the same, and a
+/// message says so.
 bool machineIsBusy(const json& row, const Stretch& stretch) {
     return stretch.real >= 3 && stretch.steps > 3 * stretch.frames && toldSlow(row);
 }
 
-/// The rate that this run's runtime was asked for, Hz.
+/// Returns the requested rate of this run's runtime, Hz.
 double askedRate() {
     const char* rate = std::getenv("XRT_COMPOSITOR_DEFAULT_FRAMERATE");
     return rate != nullptr ? std::strtod(rate, nullptr) : 60;
@@ -102,7 +102,7 @@ TEST_CASE("the metal goes at the hand's speed at the display's rate; what it can
     CHECK(frames == Approx(std::round(frames)).epsilon(0.03));
     const Clock::time_point begin = Clock::now();
     const auto signal = [&](int number) { trainer.signal(number); };
-    // The torch's way in the metal's time is the hand's in real time, as soon as the machine has time for three
+    // The torch's way in the metal's time equals the hand's in real time, as soon as the machine has time for three
     // seconds.
     const auto keepsUp = [&](const std::string& when) {
         Rows rows;

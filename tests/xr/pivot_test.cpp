@@ -1,4 +1,4 @@
-// Pivot calibration on synthetic poses, and its file.
+// Tests pivot calibration on synthetic poses, and its file.
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "tests/support/catch.hpp"
@@ -16,14 +16,14 @@ namespace {
 struct Swing {
     float tilt = 0.8f;  ///< rad, to all sides
     float twist = 0.8f; ///< rad, about the torch's axis
-    float noise = 0.0f; ///< m, of each coordinate's standard deviation
+    float noise = 0.0f; ///< standard deviation of each coordinate, m
     int count = 600;    ///< ten seconds at 60 Hz
 };
 
 constexpr glm::vec3 kOffset(0.013f, -0.041f, -0.187f);
 constexpr glm::vec3 kPoint(0.22f, 0.91f, -0.35f);
 
-/// Grip poses of a torch whose tip stays on kPoint.
+/// Makes grip poses of a torch whose tip stays on kPoint.
 std::vector<xr::Pose> swing(const Swing& how, unsigned seed) {
     std::mt19937 random(seed);
     std::normal_distribution<float> normal(0.0f, 1.0f);
@@ -61,7 +61,7 @@ TEST_CASE("poses with 1 mm of noise find the offset within 0.3 mm") {
 
 TEST_CASE("poses that do not turn enough are refused") {
     const bool still = GENERATE(true, false);
-    // Not at all, or about one axis only: the offset along that axis stays free.
+    // The torch does not turn, or turns about one axis only: the offset along that axis stays free.
     const Swing how =
         still ? Swing{.tilt = 0.0f, .twist = 0.0f, .noise = 0.001f} : Swing{.tilt = 0.0f, .noise = 0.001f};
     const xr::PivotResult result = xr::solvePivot(swing(how, 7));
@@ -130,7 +130,7 @@ TEST_CASE("an offset that the noise leaves uncertain is refused and says by how 
 }
 
 TEST_CASE("a torch held tip down tells the way it points, whatever way round it is held") {
-    const glm::vec3 points = glm::normalize(glm::vec3(0.3f, -0.5f, -0.8f)); // in the grip's frame
+    const glm::vec3 points = glm::normalize(glm::vec3(0.3f, -0.5f, -0.8f)); // direction in the grip's frame
     std::mt19937 random(5);
     std::normal_distribution<float> normal;
     std::vector<xr::Pose> poses;

@@ -1,4 +1,4 @@
-// The table of controllers, the panel's ray, the formats and the context guard: all without a runtime.
+// Tests the table of controllers, the panel's ray, the formats and the context guard: all without a runtime.
 #include "core/gl/context.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/xr/remote_driver.hpp"
@@ -75,7 +75,7 @@ TEST_CASE("a context that the runtime changed is put back and its errors are dra
     glBindTexture(GL_TEXTURE_2D, texture);
     {
         const xr::ContextGuard guard;
-        glEnable(0x1234); // an error left behind
+        glEnable(0x1234); // leaves an error behind
         other.makeCurrent();
         CHECK(glIsTexture(texture) == GL_FALSE);
     }

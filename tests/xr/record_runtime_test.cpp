@@ -1,4 +1,4 @@
-// The whole program on a real runtime: no button of the panel ends or cuts a record without saying so.
+// Tests the whole program on a real runtime: every button of the panel that ends or cuts a record notes that in it.
 #include "core/training/lesson/recorded_attempt.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/record_check.hpp"

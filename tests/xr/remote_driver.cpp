@@ -1,4 +1,4 @@
-// Packets for Monado's remote driver, protocol "mndrmt3".
+// Encodes packets for Monado's remote driver, protocol "mndrmt3".
 #include "tests/xr/remote_driver.hpp"
 
 #include "core/base/error.hpp"
@@ -96,7 +96,7 @@ RemoteDriver::RemoteDriver(int port) {
     address.sin_family = AF_INET;
     address.sin_port = htons(static_cast<std::uint16_t>(port));
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    for (int i = 0; i < 3000; ++i) { // minutes: a busy machine takes its time to start the runtime
+    for (int i = 0; i < 3000; ++i) { // minutes: a busy machine takes long to start the runtime
         socket_ = ::socket(AF_INET, SOCK_STREAM, 0);
         if (::connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0) {
             const int on = 1;

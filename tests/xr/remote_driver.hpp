@@ -10,7 +10,7 @@
 
 namespace meltpool::test {
 
-/// What one controller does. Poses are in the driver's own space: metres, y up, origin on the floor.
+/// State of one controller. Poses are in the driver's own space: metres, y up, origin on the floor.
 struct RemoteHand {
     bool active = true; ///< false: switched off
     xr::Pose pose;
@@ -25,7 +25,7 @@ struct RemoteHand {
 
 struct RemoteState {
     xr::Pose head{{1, 0, 0, 0}, {0, 1.6f, 0}};
-    /// Where the eyes stand from the head's centre and what they see; used while `ownEyes`.
+    /// Places of the eyes from the head's centre and their fields of view; used while `ownEyes`.
     bool ownEyes = false;
     std::array<xr::Pose, 2> eyes{xr::Pose{{1, 0, 0, 0}, {-0.0315f, 0, 0}}, xr::Pose{{1, 0, 0, 0}, {0.0315f, 0, 0}}};
     std::array<xr::FieldOfView, 2> fov{};
@@ -34,18 +34,18 @@ struct RemoteState {
 
 constexpr std::size_t kRemotePacket = 376;
 
-/// The packet's bytes, as the driver reads them.
+/// Returns the packet's bytes, as the driver reads them.
 std::vector<std::uint8_t> encode(const RemoteState& state);
 
 class RemoteDriver {
   public:
-    /// Connects to the driver on this machine. Throws RuntimeFault when nothing listens within a minute.
+    /// Connects to the driver on this machine. Throws RuntimeFault if no driver listens within a minute.
     explicit RemoteDriver(int port);
     ~RemoteDriver();
     RemoteDriver(const RemoteDriver&) = delete;
     RemoteDriver& operator=(const RemoteDriver&) = delete;
 
-    /// Takes effect in the next frame. False: the driver is gone.
+    /// Sends the state, which takes effect in the next frame. Returns false if the driver has gone.
     bool send(const RemoteState& state);
 
   private:

@@ -1,4 +1,4 @@
-// Attempts of a scripted hand in the headset: their recordings are replayed without one to the same bits.
+// Tests attempts of a scripted hand in the headset: replays of their recordings without a headset have equal bits.
 #include "core/base/text.hpp"
 #include "core/training/attempt/recording_reader.hpp"
 #include "core/training/lesson/lesson.hpp"
@@ -16,7 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The recording of the attempt that a program of this folder has ended, which is whole and tells of both hands.
+/// Reads the recording of the attempt that a program of this folder has ended; it must be complete and contain both
+/// hands.
 Recording recordingIn(const fs::path& folder) {
     Recording recording = readRecording(newestRecording(folder / "meltpool" / "recordings"));
     INFO(recording.stateSentence());
@@ -29,7 +30,7 @@ Recording recordingIn(const fs::path& folder) {
     return recording;
 }
 
-/// Replays it without a headset; its own hash must come of it.
+/// Replays it without a headset; the result must have the recording's hash.
 void checkReplay(const Recording& recording, const fs::path& lesson, const fs::path& out) {
     REQUIRE(runTrainer({"replay", recording.file.string(), "--lesson", lesson.string(), "--pictures", "0", "--size",
                         "64x64", "--out", out.string()}) == 0);
@@ -44,13 +45,13 @@ bool tells(const Recording& recording, const std::string& name, const std::strin
                        [&](const RecordingNote& note) { return note.name == name && note.value == value; });
 }
 
-/// An arc that melts wire: open or in short circuits.
+/// Returns true for an arc that melts wire: open or in short circuits.
 bool welds(const json& row) {
     const std::string action = row["headset"]["tip"]["action"];
     return action == "burning" || action == "shorting";
 }
 
-/// Waits until so much more of the metal's time has passed, s.
+/// Waits until `seconds` more of the metal's time have passed.
 void passMetalTime(TrainerProcess& trainer, double seconds) {
     const double end = trainer.now()["metal"]["time"].get<double>() + seconds;
     REQUIRE(trainer.waitFor([end](const json& row) { return row["metal"]["time"] >= end; }));

@@ -1,4 +1,4 @@
-// A real session on a real runtime: its states, and both eyes' pictures as composited.
+// Tests a real session on a real runtime: its states, and both eyes' pictures as composited.
 #include "tests/support/catch.hpp"
 #include "tests/xr/bench.hpp"
 
@@ -9,14 +9,14 @@ using namespace meltpool::test;
 
 namespace {
 
-/// Where a point of the session's space falls in an eye's picture: pixels from its lower left corner.
+/// Projects a point of the session's space into an eye's picture: pixels from its lower left corner.
 glm::vec2 pixelOf(const glm::vec3& point, const xr::EyeView& view, const xr::BothEyes& eyes) {
     const glm::mat4 toClip = xr::projection(view.fov, eyes.nearZ, eyes.farZ) * view.pose.inverse().matrix();
     const glm::vec4 clip = toClip * glm::vec4(point, 1.0f);
     return (glm::vec2(clip) / clip.w * 0.5f + 0.5f) * glm::vec2(float(eyes.width), float(eyes.height));
 }
 
-/// A plain ground for each eye (left reddish, right bluish) with a white square on the point.
+/// Draws a plain ground for each eye (left reddish, right bluish) with a white square on the point.
 void drawMarked(const xr::BothEyes& eyes, const glm::vec3& point) {
     glBindFramebuffer(GL_FRAMEBUFFER, eyes.framebuffer);
     glEnable(GL_SCISSOR_TEST);
@@ -32,7 +32,7 @@ void drawMarked(const xr::BothEyes& eyes, const glm::vec3& point) {
     glDisable(GL_SCISSOR_TEST);
 }
 
-/// Middle of the white pixels, from the top left corner; their number in `count`.
+/// Returns the middle of the white pixels, from the top left corner; their number in `count`.
 glm::dvec2 whiteSpot(const Image& image, int& count) {
     glm::dvec2 sum(0);
     count = 0;
@@ -46,7 +46,7 @@ glm::dvec2 whiteSpot(const Image& image, int& count) {
     return sum / double(std::max(count, 1));
 }
 
-/// False where the runtime does not answer in time: a busy machine.
+/// Returns false if the runtime does not answer in time: a busy machine.
 bool answers(const std::function<void()>& call) {
     try {
         call();
@@ -89,11 +89,11 @@ TEST_CASE("both eyes reach the compositor with the right parallax", "[runtime]")
         const Image shown = shownEye(screen, eye);
         int white = 0;
         spot[size_t(eye)] = whiteSpot(shown, white);
-        // The ground keeps its code all the way: the picture is encoded once, neither twice nor back.
+        // The ground's code is unchanged: the picture is encoded once, neither twice nor back.
         const std::uint8_t* corner = &shown.rgb[size_t(shown.width) * 20 * 3 + 60];
         CHECK(int(corner[eye == 0 ? 0 : 2]) == Approx(153).margin(3));
         CHECK(int(corner[eye == 0 ? 2 : 0]) == Approx(26).margin(3));
-        // Pinhole by hand: the eye stands at (±31.5 mm, 1.6 m), 0.6 m from the point.
+        // Pinhole projection by hand: the eye is at (±31.5 mm, 1.6 m), 0.6 m from the point.
         const xr::EyeView& view = headset.views()[size_t(eye)];
         const double x = double(point.x - view.pose.position.x) / 0.6, y = double(point.y - view.pose.position.y) / 0.6;
         const double left = std::tan(double(view.fov.left)), right = std::tan(double(view.fov.right));

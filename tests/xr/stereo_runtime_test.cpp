@@ -1,4 +1,4 @@
-// The real renderer in both eyes of a real runtime: metal on the table, torch in the hand, each eye against the
+// Tests the real renderer in both eyes of a real runtime: metal on the table, torch in the hand, each eye against the
 // one-view picture.
 #include "app/headset/workshop_scene.hpp"
 #include "core/metal/classic/classic_metal.hpp"
@@ -19,7 +19,7 @@ using namespace meltpool::test;
 
 namespace {
 
-/// A half-melted cube and the workshop around it.
+/// Draws a half-melted cube and the workshop around it.
 struct DrawnLesson {
     gl::ShaderLibrary shaders{test::sourceFolder() / "shaders"};
     HeadsetParameters parameters;
@@ -86,11 +86,11 @@ TEST_CASE("each eye shows what one view from its place shows, whichever way the 
     };
     for (const ViewSubmission submission : kViewSubmissions) {
         const std::string name(submissionName(submission));
-        // Where the driver of this machine cannot, the next plainer way is what it shows.
+        // The renderer shows the next plainer way if this machine's driver lacks the wanted one.
         const SubmissionChoice chosen = lesson.renderer.submitBy(submission);
         REQUIRE(stepFrames(headset, 4, draw));
         const Image both = gl::readPixels(headset.eyes().resolved(), 2 * last.width, last.height);
-        // A few frames more, so that the compositor has shown this very picture.
+        // A few more frames pass, so that the compositor has shown this very picture.
         REQUIRE(stepFrames(headset, 4, draw));
         keepPicture(screenshot(), "workshop_composited_" + name + ".png");
         keepPicture(both, "workshop_eyes_" + name + ".png");

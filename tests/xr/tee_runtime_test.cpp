@@ -1,4 +1,4 @@
-// A whole lesson as it is shipped, by a scripted hand on a real runtime: the tee fillet, from the list to the score.
+// Tests a whole shipped lesson, by a scripted hand on a real runtime: the tee fillet, from the list to the score.
 #include "core/training/lesson/lesson.hpp"
 #include "core/weld/torch/torch_moves.hpp"
 #include "tests/support/catch.hpp"
@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 constexpr glm::vec3 kAlong(1, 0, 0);
 constexpr float kMm = 1e-3F;
 
-/// The names of the lessons that the panel shows.
+/// Returns the names of the lessons that the panel shows.
 json lessonsIn(const json& row) {
     json names = json::array();
     for (const auto& [name, place] : row["headset"]["places"].items())
@@ -28,15 +28,15 @@ json lessonsIn(const json& row) {
     return names;
 }
 
-/// "Score 84 of 100".
+/// Reads the number in "Score 84 of 100".
 double scoreIn(const std::string& text) {
     const size_t digits = text.find_first_of("0123456789");
     REQUIRE(digits != std::string::npos);
     return std::stod(text.substr(digits));
 }
 
-/// Leads the torch from one place to another in the metal's own time, which on a slow machine is longer than the
-/// clock's.
+/// Leads the torch from one place to another in the metal's own time, which is longer than the clock's on a slow
+/// machine.
 void weldAlong(Trainee& trainee, TrainerProcess& trainer, const glm::vec3& from, const glm::vec3& to, double speed) {
     constexpr float kStride = 0.25F * kMm;
     const float length = glm::distance(from, to);
@@ -47,7 +47,7 @@ void weldAlong(Trainee& trainee, TrainerProcess& trainer, const glm::vec3& from,
         const double due = begin + static_cast<double>(kStride) * i / speed;
         REQUIRE(trainer.waitFor([&](const json& row) { return row["metal"]["time"] >= due; }));
         trainee.aim(place, 1);
-        // A runtime that did not answer for a while puts the arc out.
+        // A gap of the runtime puts the arc out.
         if (trainer.now()["headset"]["trigger_locked"] == true)
             REQUIRE(trainee.strike(trainer, place, [](const json& row) {
                 return row["headset"]["trigger_locked"] == false && row["headset"]["tip"]["action"] != "out";
@@ -72,7 +72,7 @@ TEST_CASE("the shipped tee fillet is picked, welded end to end, scored and begun
     passFrames(trainer, 4);
     keepPicture(screenshot(), "tee-home.png");
     for (int page = 0; page < 10 && !trainer.now()["headset"]["places"].contains(tile); ++page) {
-        // A few lessons a page: another page has other lessons.
+        // The list has a few lessons a page: another page has other lessons.
         const json before = lessonsIn(trainer.now());
         trainee.press(trainer, "home.following", [&](const json& row) { return lessonsIn(row) != before; });
     }
@@ -83,11 +83,13 @@ TEST_CASE("the shipped tee fillet is picked, welded end to end, scored and begun
     trainee.lookDown();
     trainee.showPanel(trainer, false);
 
-    // As the lesson's text says: 5 mm before what counts and 5 mm beyond, as the demonstration holds the torch.
+    // The path follows the lesson's text: from 5 mm before the counted seam to 5 mm beyond, with the torch held as in
+    // the demonstration.
     const glm::vec3 from(-25 * kMm, 3.9F * kMm, 3.2F * kMm), to(25 * kMm, 3.9F * kMm, 3.2F * kMm);
     REQUIRE(trainee.strike(trainer, from, [](const json& row) { return row["metal"]["molten"] > 20; }));
     INFO("tip at " << trainer.now()["torch"]["tip_mm"].dump());
-    // No picture is taken meanwhile: it would take the processors for so long that samples of the torch are missing.
+    // The test takes no picture meanwhile: it would take the processors for so long that samples of the torch are
+    // missing.
     weldAlong(trainee, trainer, from, to, 6.5e-3);
     trainee.aim(to + glm::vec3(0, 40 * kMm, 40 * kMm), 0);
     REQUIRE(trainer.waitFor([](const json& row) {
@@ -99,7 +101,7 @@ TEST_CASE("the shipped tee fillet is picked, welded end to end, scored and begun
     if (score.starts_with("Score")) {
         CHECK(scoreIn(score) >= 80);
         CHECK(judgement["verdict"].get<std::string>().starts_with("Accepted"));
-    } else // the machine stood still for a moment, which is told
+    } else // the machine paused for a moment, which a note says
         CHECK_THAT(note, containsText("missing while the arc burned"));
     passFrames(trainer, 4);
     keepPicture(screenshot(), "tee-result.png");

@@ -30,7 +30,7 @@ HandGeometry measureHand() {
     return {hand.grip, hand.aim};
 }
 
-/// The panel's pose as the program places it beside the workpiece, in the workshop.
+/// Returns the panel's pose as the program places it next to the workpiece, in the workshop.
 xr::Pose panelPose(bool rightHanded, float tableHeight) {
     const float side = rightHanded ? -1.0f : 1.0f;
     return {glm::angleAxis(-side * 0.48f, glm::vec3(0, 1, 0)) * glm::angleAxis(-0.2f, glm::vec3(1, 0, 0)),
@@ -51,7 +51,7 @@ fs::path smallLesson(const fs::path& folder) {
     writeTextFileAtomically(
         file, "title = \"Small\"\ntext = \"Small.\"\nmodel = \"classic\"\ntorch = \"" + paths.string() +
                   "\"\n[start]\nparticles = 4096\n"
-                  // What is melted stays so: the window's figures lag a step or two, and must not be of another metal.
+                  // Molten metal stays molten: the window's figures lag a step or two and must show this metal.
                   "[metal]\nsolidify_rate = 0\n[surface]\ncells = 32\n[[picture]]\nname = \"metal\"\n");
     return file;
 }
@@ -86,7 +86,7 @@ void Trainee::lookDown() {
 
 void Trainee::aim(const glm::vec3& place, float trigger) {
     const xr::Pose tip{held, inRoom(place)};
-    const xr::Pose grip = tip * xr::Pose{{1, 0, 0, 0}, {0, 0, 0.12f}}; // the tip lies 120 mm before the grip
+    const xr::Pose grip = tip * xr::Pose{{1, 0, 0, 0}, {0, 0, 0.12f}}; // the tip is 120 mm before the grip
     state.hands[hand].pose = grip * handGeometry().grip.inverse();
     state.hands[hand].trigger = trigger;
     send();
@@ -134,7 +134,7 @@ void Trainee::pointAtPixel(float x, float y, float trigger) {
 
 void Trainee::pointAtControl(TrainerProcess& trainer, const std::string& name, float trigger) {
     const json places = trainer.now()["headset"]["places"];
-    if (!places.contains(name)) { // it went with what was pressed
+    if (!places.contains(name)) { // the press removed the control
         pointer().trigger = trigger;
         return send();
     }
@@ -148,13 +148,13 @@ void Trainee::scrollTo(TrainerProcess& trainer, const std::string& name) {
         const json& places = row["headset"]["places"];
         return places.contains(name) && places[name][1] > 30 && places[name][1] < 1030;
     };
-    // A test that stands still scrolls too far, so there is more than one turn of both ways.
+    // A test that pauses scrolls too far, so there is more than one turn of both ways.
     for (const float way : {-1.0f, 1.0f, -1.0f, 1.0f, -1.0f, 1.0f}) {
         pointAtPixel(450, 550, 0);
         passFrames(trainer, 2);
         pointer().thumbstickY = inSight(trainer.now()) ? 0.0f : way;
         send();
-        // A panel whose controls stand still for many frames is at its end.
+        // A panel is at its end if its controls do not move for many frames.
         json last;
         long long moved = trainer.now()["frame"];
         const bool there = trainer.waitFor([&](const json& row) {
@@ -213,7 +213,7 @@ bool ready(const json& row) {
 
 namespace {
 
-/// Frames with the headset in use, from the first row that it is given to the last.
+/// Counts frames with the headset in use, from the first given row to the last.
 class FramesInUse {
   public:
     long long passed(const json& row) {

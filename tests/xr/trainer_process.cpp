@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The program's file and arguments, preceded by the launcher that tests/xr/bench.sh asks for.
+/// Returns the program's file and arguments, preceded by the launcher that tests/xr/bench.sh requests.
 std::vector<std::string> launched(const fs::path& program, const std::vector<std::string>& arguments) {
     std::vector<std::string> words;
     if (const char* launch = std::getenv("MELTPOOL_XR_LAUNCH"))
@@ -104,7 +104,7 @@ bool TrainerProcess::waitFor(const std::function<bool(const nlohmann::json&)>& d
     bool came = false;
     waitUntil([&] {
         if (meanwhile) meanwhile();
-        const bool ended = !alive(); // looked at first, so that no row is left out
+        const bool ended = !alive(); // read first, so that no row is left out
         for (nlohmann::json row = rows_.read(at); row.is_object(); row = rows_.read(at))
             if (done(row)) return came = true;
         return ended;

@@ -16,28 +16,28 @@ namespace meltpool::test {
 class TrainerProcess {
   public:
     /// Starts `meltpool ARGUMENTS --telemetry ...` with settings of its own (small pictures, so that a software driver
-    /// keeps up). `headset`: further lines of its [headset] settings. `preload`: library that is loaded before it.
+    /// keeps pace). `headset`: further lines of its [headset] settings. `preload`: library that is loaded before it.
     TrainerProcess(std::filesystem::path folder, std::vector<std::string> arguments, const std::string& headset = {},
                    const std::string& preload = {});
     ~TrainerProcess();
     TrainerProcess(const TrainerProcess&) = delete;
     TrainerProcess& operator=(const TrainerProcess&) = delete;
 
-    /// The newest row of the telemetry; empty until there is one.
+    /// Newest row of the telemetry; empty until there is one.
     nlohmann::json now();
-    /// Every row so far.
+    /// Returns every row so far.
     std::vector<nlohmann::json> rows();
-    /// Looks 20 times a second until `done(row)` for the newest row or any after it; `meanwhile` runs before each look.
-    /// False when the program has ended, or after kPatience.
+    /// Reads rows 20 times a second until `done(row)` for the newest row or any after it; `meanwhile` runs before each
+    /// look. Returns false if the program has ended, or after kPatience.
     bool waitFor(const std::function<bool(const nlohmann::json&)>& done, const std::function<void()>& meanwhile = {});
-    /// Asks the program to end as Ctrl+C does; its exit status.
+    /// Asks the program to end as Ctrl+C does; returns its exit status.
     int stop();
     /// Sends it a signal.
     void signal(int number) const;
-    /// Waits until the program has ended by itself; its exit status. After kPatience it is killed: 137.
+    /// Waits until the program has ended by itself; returns its exit status. After kPatience it is killed: 137.
     int finish();
     bool alive();
-    /// What the validation layer wrote about the program.
+    /// Returns the validation layer's messages about the program.
     std::string misuses() const;
 
   private:
@@ -47,7 +47,7 @@ class TrainerProcess {
     int status_ = -1;
 };
 
-/// Runs `meltpool ARGUMENTS` to its end; the exit status.
+/// Runs `meltpool ARGUMENTS` to its end; returns the exit status.
 int runTrainer(const std::vector<std::string>& arguments);
 
 } // namespace meltpool::test

@@ -1,5 +1,5 @@
-// The whole program on a real runtime: a tracked torch melts the cube, the panel is used, controller and runtime are
-// lost.
+// Tests the whole program on a real runtime: a tracked torch melts the cube, the panel is used, controller and runtime
+// are lost.
 #include "core/base/text.hpp"
 #include "core/weld/torch/torch_path.hpp"
 #include "tests/support/catch.hpp"
@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The cells of the last row; what stands behind it are comments.
+/// Returns the cells of the last row; only comments follow it.
 std::vector<std::string> lastRow(const fs::path& csv) {
     const std::string text = readTextFile(csv);
     std::vector<std::string_view> lines = splitText(trimText(text), '\n');
@@ -34,7 +34,7 @@ std::vector<std::string> lastRow(const fs::path& csv) {
     return cells;
 }
 
-/// The count of steps fell somewhere along the rows.
+/// Returns true if the count of steps fell somewhere along the rows.
 bool wasReset(const std::vector<json>& rows) {
     for (size_t i = 1; i < rows.size(); ++i)
         if (rows[i]["metal"]["steps"] < rows[i - 1]["metal"]["steps"]) return true;
@@ -53,7 +53,7 @@ TEST_CASE("a tracked torch melts the cube's corner, and its record melts it agai
     REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["tracked"] == true; }));
     trainee.lookDown();
 
-    // From beside the cube to its front upper corner, heating on the way in.
+    // The torch moves from the cube's side to its front upper corner, heating on the way in.
     for (int i = 0; i <= 20; ++i) {
         trainee.aim(glm::mix(glm::vec3(0.04f), glm::vec3(0.018f), float(i) / 20), i > 10 ? 1.0f : 0.0f);
         sleepFor(0.03);
@@ -99,7 +99,7 @@ TEST_CASE("the torch's controller goes off in mid-weld: the arc is out, it is sa
                row["headset"]["warning"].dump().find("arc is out") != std::string::npos &&
                row["messages"].dump().find("arc is out") != std::string::npos;
     }));
-    // The lesson goes on.
+    // The lesson continues.
     CHECK(trainer.waitFor(
         [&](const json& row) { return row["metal"]["steps"] > lost["metal"]["steps"].get<int>() + 10; }));
     CHECK(trainer.now()["headset"]["tracked"] == false);
@@ -109,7 +109,7 @@ TEST_CASE("the torch's controller goes off in mid-weld: the arc is out, it is sa
     CHECK(trainer.waitFor([](const json& row) { return row["headset"]["warning"] == ""; }));
     CHECK(trainer.stop() == 0);
     CHECK(trainer.misuses() == "");
-    // In the record the trigger is released while the hand was lost.
+    // The record has a released trigger during the loss of the hand.
     const TorchRecording record = readTorchCsv(folder / "telemetry.csv");
     int edges = 0;
     for (size_t i = 1; i < record.samples.size(); ++i)
@@ -138,7 +138,7 @@ TEST_CASE("the runtime is killed in mid-weld: the window goes on, the headset is
     CHECK(trainer.now()["headset"]["openings"] == 2);
     CHECK(trainer.now()["metal"]["time"] > lost["metal"]["time"]);
 
-    // The window goes on while the runtime is away, for two seconds at least.
+    // The window continues during the runtime's absence, for two seconds at least.
     double longest = 0, last = before;
     long long framesAlone = 0;
     for (const json& row : trainer.rows()) {
@@ -204,14 +204,14 @@ TEST_CASE("the panel opens and its buttons are pressed with the pointer's ray: r
         return compareImages(before, after, 24).farPixels;
     };
     CHECK(trainer.waitFor([](const json& row) { return row["headset"]["mirrored"] == true; }));
-    // A message may come or go between two pictures; a view that does not do what it should never does.
+    // A message may come or go between two pictures; a faulty view never passes.
     CHECK(waitUntil([&] { return turned() > 0.1; }));
     trainee.press(trainer, "headset.desk_view.camera", [](const json& row) {
         return row["headset"]["state"] == "running" && row["headset"]["mirrored"] == false;
     });
     CHECK(waitUntil([&] { return turned() < 0.02; }));
 
-    // A controller fixed to a real torch, 0.3 mm of noise: the tip is found, and kept.
+    // A controller fixed to a real torch has 0.3 mm of noise: the tip is found, and stored.
     const glm::vec3 offset(0.012f, -0.03f, -0.18f), dent(0.2f, 1.0f, -0.3f);
     const auto reports = [](const char* words) {
         return [words](const json& row) {
@@ -237,7 +237,7 @@ TEST_CASE("the panel opens and its buttons are pressed with the pointer's ray: r
             swing();
             sleepFor(0.01);
         }
-        // Too few of the poses may have come to the program.
+        // Too few of the poses may have reached the program.
         if (reports("was not found")(trainer.now())) trainee.press(trainer, "headset.tip", reports("Rest the tip"));
         return fs::exists(kept);
     });
@@ -248,7 +248,7 @@ TEST_CASE("the panel opens and its buttons are pressed with the pointer's ray: r
                                  << " mm");
     CHECK(glm::distance(tip.offset, offset) < 0.0003f);
 
-    // Called from elsewhere, the workshop stands before the eyes as it did: the same picture.
+    // A recentre from another place puts the workshop before the eyes as before: the picture is equal.
     trainee.state.hands[1].active = false;
     trainee.state.head = {glm::angleAxis(-0.3f, glm::vec3(1, 0, 0)), {0, 1.6f, 0}};
     trainee.send();
@@ -260,7 +260,7 @@ TEST_CASE("the panel opens and its buttons are pressed with the pointer's ray: r
     CHECK(eyeComesTo(trainer, 0, first, [](double share) { return share > 0.1; }));
     trainee.state.hands[0].thumbstickClick = true;
     trainee.send();
-    // The notice may say another speed of the metal.
+    // The notice may give another speed of the metal.
     CHECK(eyeComesTo(trainer, 0, first, [](double share) { return share < 0.03; }));
     keepPicture(shownEye(screenshot(), 0), "recentred.png");
     CHECK(trainer.stop() == 0);
@@ -308,7 +308,7 @@ TEST_CASE("a minute of welding with panel, recentre, loss and return holds no mi
 }
 
 TEST_CASE("without a headset the program says so when one was asked for", "[runtime]") {
-    // A runtime that is not there, whatever the machine has.
+    // The variable names a missing runtime, whatever the machine has.
     const std::string manifest = std::getenv("XR_RUNTIME_JSON");
     setenv("XR_RUNTIME_JSON", "/nowhere/runtime.json", 1);
     TrainerProcess trainer(benchFolder() / "absent", {"--headset"});

@@ -1,5 +1,5 @@
-// The whole program on a real runtime: whatever moves the torch otherwise than the hand does puts the arc out first,
-// and it strikes again only when the trigger was let go.
+// Tests that the arc goes out before anything but the hand moves the torch, and strikes again only after the trigger's
+// release: the whole program on a real runtime.
 #include "core/base/text.hpp"
 #include "core/weld/torch/torch_csv.hpp"
 #include "tests/support/catch.hpp"
@@ -23,7 +23,7 @@ bool isOut(const json& row) {
     return row["torch"]["trigger"] == 0 && row["headset"]["trigger_locked"] == true;
 }
 
-/// The arc is out, stays so for a while with the trigger pulled, and strikes again once it was let go.
+/// Checks that the arc is out, stays so for a while with the trigger pulled, and strikes again after its release.
 void checkOutUntilLetGo(TrainerProcess& trainer, Trainee& trainee) {
     REQUIRE(trainer.waitFor([](const json& row) { return isOut(row) && row["headset"]["tracked"] == true; }));
     passFrames(trainer, 6);
@@ -32,8 +32,8 @@ void checkOutUntilLetGo(TrainerProcess& trainer, Trainee& trainee) {
     CHECK(trainee.pull(trainer, burns));
 }
 
-/// Does what puts the arc out for that reason; again where the runtime did not answer just before, which is a reason,
-/// too, and the first one counts.
+/// Puts the arc out for that reason; repeats it if the runtime did not answer just before, which is a reason too, and
+/// the first one counts.
 void putOutFor(const char* reason, TrainerProcess& trainer, Trainee& trainee, const fs::path& record,
                const std::function<void(int attempt)>& provoke) {
     const std::string event = std::string("# event arc_out ") + reason;
@@ -45,7 +45,8 @@ void putOutFor(const char* reason, TrainerProcess& trainer, Trainee& trainee, co
     }
 }
 
-/// Longest way (m, workpiece's frame) between two steps of the record of which one at least has the trigger pulled.
+/// Longest way between two steps of the record with the trigger pulled in at least one of them, m in the workpiece's
+/// frame.
 float longestWayWithHeat(const TorchRecording& record) {
     float longest = 0;
     for (size_t i = 1; i < record.samples.size(); ++i) {
@@ -73,7 +74,7 @@ TEST_CASE("recentre, zoom, other hand, lost controller: the arc is out first and
         return std::abs(row["torch"]["tip_mm"][0].get<float>() - before["torch"]["tip_mm"][0].get<float>()) > 20;
     };
 
-    // Brought before another place of the head, half a metre away, with the trigger pulled.
+    // The workshop moves to another place of the head, half a metre away, with the trigger pulled.
     putOutFor("recentred", trainer, trainee, record, [&](int attempt) {
         trainee.state.head = {glm::angleAxis(0.5f, glm::vec3(0, 1, 0)), {attempt % 2 == 0 ? 0.4f : 0.8f, 1.6f, 0.2f}};
         trainee.state.hands[0].thumbstickClick = true;
@@ -92,13 +93,13 @@ TEST_CASE("recentre, zoom, other hand, lost controller: the arc is out first and
         trainee.send();
     });
 
-    // Thrown: no hand is so fast, however long a frame is, be it seconds.
+    // A thrown torch: no hand is so fast, however long a frame is, even seconds.
     putOutFor("jump", trainer, trainee, record, [&](int attempt) {
         trainee.state.hands[1].pose.position += glm::vec3(attempt % 2 == 0 ? -40 : 40, 0.2f, 0);
         trainee.send();
     });
 
-    // Back to the first place.
+    // The head returns to the first place.
     trainee.state.hands[1].trigger = 0;
     trainee.state.head = {{1, 0, 0, 0}, {0, 1.6f, 0}};
     trainee.state.hands[0].thumbstickClick = true;
@@ -107,7 +108,7 @@ TEST_CASE("recentre, zoom, other hand, lost controller: the arc is out first and
     trainee.state.hands[0].thumbstickClick = false;
     trainee.send();
 
-    // Another zoom: the other hand draws the panel's slider while the arc burns.
+    // The zoom changes: the other hand draws the panel's slider while the arc burns.
     trainee.aim(place, 0.0f);
     passFrames(trainer, 4);
     trainee.letGo(trainer);
@@ -121,7 +122,7 @@ TEST_CASE("recentre, zoom, other hand, lost controller: the arc is out first and
     trainee.showPanel(trainer, false);
     trainee.pointingHand = {};
 
-    // The hand by the panel, pointed at with the torch's hand.
+    // The panel changes the torch's hand; the torch's hand points at it.
     trainee.state.hands[1].trigger = 0;
     trainee.showPanel(trainer, true);
     trainee.press(trainer, "headset.hand.left",

@@ -1,4 +1,4 @@
-// Lessons in the headset from end to end: left-handed and seated, a real weld, the rod, the desk's part in it.
+// Tests lessons in the headset from end to end: left-handed and seated, a real weld, the rod, the desk's part in it.
 #include "core/base/text.hpp"
 #include "core/training/lesson/lesson.hpp"
 #include "core/weld/torch/torch_csv.hpp"
@@ -21,7 +21,7 @@ glm::vec3 vectorOf(const json& numbers) {
     return {numbers[0].get<float>(), numbers[1].get<float>(), numbers[2].get<float>()};
 }
 
-/// The lesson's torch is where it was aimed at (mm).
+/// Returns a condition: the lesson's torch is at the aimed place (mm).
 auto torchAt(const glm::vec3& mm) {
     return [mm](const json& row) { return glm::distance(vectorOf(row["torch"]["tip_mm"]), mm) < 0.5f; };
 }
@@ -30,13 +30,13 @@ auto actionIs(const char* action) {
     return [action](const json& row) { return row["headset"]["tip"]["action"] == action; };
 }
 
-/// An arc that melts wire: open or in short circuits.
+/// Returns true for an arc that melts wire: open or in short circuits.
 bool welds(const json& row) {
     const std::string action = row["headset"]["tip"]["action"];
     return action == "burning" || action == "shorting";
 }
 
-/// The record welded again without a headset has the same arc in every row.
+/// Welds the record again without a headset and checks that every row has an equal arc.
 void checkReplay(const fs::path& lesson, const fs::path& record, const fs::path& folder) {
     const TorchRecording live = readTorchCsv(record);
     REQUIRE(live.samples.size() > 20);
@@ -65,7 +65,7 @@ void checkReplay(const fs::path& lesson, const fs::path& record, const fs::path&
     CHECK(burning > 10);
 }
 
-/// The grip of the hand that holds a rod, in the session's space.
+/// Grip of the hand that holds a rod, in the session's space.
 const xr::Pose kRodGrip{glm::angleAxis(0.3f, glm::vec3(0, 1, 0)), {-0.1f, 1.0f, -0.2f}};
 
 void pressKey(const std::string& key) {
@@ -83,7 +83,7 @@ TEST_CASE(
     trainee.hand = 0;
     trainee.zoom = 2;
     trainee.tableHeight = 0.7f;
-    trainee.tableTop = 1.6f - 0.45f; // seated: under the eyes, whatever the floor says
+    trainee.tableTop = 1.6f - 0.45f; // seated: below the eyes, for any floor
     TrainerProcess trainer(folder, {"--headset", "--lesson", smallLesson(folder).string()},
                            "hand = \"left\"\nposture = \"seated\"\nzoom = 2\ntable_height = 0.7\n");
     REQUIRE(trainer.waitFor(ready));
@@ -122,7 +122,7 @@ TEST_CASE("a bead is welded in the headset: the arc strikes, follows its length 
     trainee.held = glm::angleAxis(-1.4f, glm::vec3(1, 0, 0)); // nearly straight down
     TrainerProcess trainer(folder, {"--headset", "--lesson", file.string(), "--record", record.string()});
     REQUIRE(trainer.waitFor(ready));
-    trainee.aim({0, 0.003f, 0}, 0.0f); // before wire lies there
+    trainee.aim({0, 0.003f, 0}, 0.0f); // the tip is here before any wire
     REQUIRE(trainer.waitFor(torchAt({0, 3, 0})));
     CHECK(trainer.waitFor([](const json& row) {
         const json& ahead = row["headset"]["tip"]["ahead_mm"]; // null while there is no metal ahead
@@ -142,7 +142,7 @@ TEST_CASE("a bead is welded in the headset: the arc strikes, follows its length 
     CHECK(weldsUntil([](const json& row) { return row["headset"]["tip"]["liquid"] > 0.5; })); // over the pool
     keepPicture(screenshot(), "welding.png");
 
-    // A hand without a rod in it, as GMAW melts none.
+    // The hand has no rod in it, as GMAW melts none.
     trainee.state.hands[0].pose = kRodGrip * handGeometry().grip.inverse();
     trainee.aim({0, 0.06f, 0}, 1.0f); // torn off: the arc is out until the wire has come down again
     CHECK(trainer.waitFor(actionIs("out")));
@@ -172,7 +172,7 @@ TEST_CASE("a filler rod in a GTAW lesson is where the other hand holds it, and g
     trainee.state.hands[0].pose = kRodGrip * handGeometry().grip.inverse();
     trainee.aim({0, 0.06f, 0}, 0.0f);
     REQUIRE(trainer.waitFor([](const json& row) { return row["torch"].contains("rod_mm"); }));
-    const glm::vec3 tip = kRodGrip * glm::vec3(0, 0, -0.30f); // its tip lies 300 mm before the grip
+    const glm::vec3 tip = kRodGrip * glm::vec3(0, 0, -0.30f); // the rod's tip is 300 mm before the grip
     const glm::vec3 expected = (tip - trainee.inRoom(glm::vec3(0))) / trainee.zoom * 1000.0f;
     const auto rodThere = [&](const json& row) {
         return row["torch"].contains("rod_mm") && glm::distance(vectorOf(row["torch"]["rod_mm"]), expected) < 2.0f;
@@ -193,7 +193,7 @@ TEST_CASE("--desktop asks no runtime for anything", "[runtime]") {
     driver.send({});
     TrainerProcess trainer(folder, {"--desktop", "--lesson", smallLesson(folder).string()});
     REQUIRE(trainer.waitFor([](const json& row) { return row["frame"] > 20; }));
-    const long long begun = trainer.now()["frame"]; // a search begins with the first frame
+    const long long begun = trainer.now()["frame"]; // a search would begin with the first frame
     REQUIRE(trainer.waitFor([&](const json& row) { return row["frame"] > begun + 60; }));
     CHECK(trainer.now()["headset"]["state"] == "off");
     CHECK(trainer.stop() == 0);

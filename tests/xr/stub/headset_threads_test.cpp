@@ -1,5 +1,5 @@
-// The headset's threads (drawing, calls of the runtime, search) on a runtime of the test's own, for the thread
-// sanitizer: frames, a runtime that hangs and comes back, one that is lost, and headsets that are given up.
+// Tests the headset's threads (drawing, calls of the runtime, search) on a runtime of the test's own, for the thread
+// sanitizer: frames, a runtime that hangs and comes back, one that is lost, and headsets that are abandoned.
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 #include "tests/xr/stub/stub_runtime.hpp"
@@ -17,12 +17,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Far beyond what anything here takes, sanitizer and busy machine included.
+/// Time limit far beyond any run, sanitizer and busy machine included.
 constexpr std::chrono::seconds kPatience{300};
 
 constexpr xr::HeadsetSettings kSmall{.resolutionScale = 1.0f, .samples = 1};
 
-/// One frame of a front end: reads what the runtime told, draws both eyes and the panel, plays a pulse.
+/// Does one frame of a front end: reads the runtime's news, draws both eyes and the panel, plays a pulse.
 void frame(xr::Headset& headset) {
     const xr::FrameTiming timing = headset.waitFrame();
     const xr::HandInput& hand = headset.input().hand(Hand::right);
@@ -38,7 +38,7 @@ void frame(xr::Headset& headset) {
     headset.endFrame();
 }
 
-/// One turn of a front end's loop.
+/// Does one turn of a front end's loop.
 void turn(xr::HeadsetConnection& link) {
     if (link.update() != ConnectionState::running) {
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
@@ -71,7 +71,7 @@ bool reaches(xr::HeadsetConnection& link, ConnectionState state) {
     return turnUntil(link, [&] { return link.state() == state; });
 }
 
-/// No instance is left, those that were given up included.
+/// Returns true if no instance is left, abandoned ones included.
 bool allGone() {
     for (const auto end = Clock::now() + kPatience; Clock::now() < end;) {
         if (stubRuntime().instances() == 0) return true;
@@ -103,7 +103,7 @@ TEST_CASE("a runtime that hangs in any call of a frame is given up and used agai
     REQUIRE(framesPass(link, 3));
     for (int i = 0; i < 4; ++i) {
         std::thread runtime([i] {
-            std::this_thread::sleep_for(std::chrono::microseconds(700 * i)); // another call each time
+            std::this_thread::sleep_for(std::chrono::microseconds(700 * i)); // hits another call each time
             stubRuntime().hang();
         });
         const bool stalls = reaches(link, ConnectionState::stalled);
@@ -111,7 +111,7 @@ TEST_CASE("a runtime that hangs in any call of a frame is given up and used agai
         REQUIRE(stalls);
         CHECK(stubRuntime().hanging() == 1);
         for (int further = 0; further < 5; ++further)
-            turn(link); // the loop goes on
+            turn(link); // the loop continues
         CHECK(link.state() == ConnectionState::stalled);
         stubRuntime().goOn();
         REQUIRE(framesPass(link, 5));
@@ -124,7 +124,7 @@ TEST_CASE("a runtime that only paces its frames slowly gets their pictures, by w
     xr::HeadsetConnection link(kSmall);
     REQUIRE(framesPass(link, 3));
     stubRuntime().paceSlowly(3);
-    REQUIRE(reaches(link, ConnectionState::stalled)); // told while it lasts
+    REQUIRE(reaches(link, ConnectionState::stalled)); // reported while it lasts
     const int from = stubRuntime().frames();
     REQUIRE(turnUntil(link, [&] { return stubRuntime().slowFrames() == 0 || stubRuntime().frames() > from + 20; }));
     CHECK(stubRuntime().slowFrames() == 0);
@@ -145,7 +145,7 @@ TEST_CASE("a runtime that is lost is searched for and used again, and one that h
         stubRuntime().hang();
         REQUIRE(reaches(link, ConnectionState::stalled));
     }
-    // The link is gone and its call still hangs.
+    // The link has ended and its call still hangs.
     CHECK(stubRuntime().instances() == 1);
     stubRuntime().goOn();
     CHECK(allGone());
@@ -155,7 +155,7 @@ TEST_CASE("headsets are opened and ended in quick succession") {
     test::context();
     for (int i = 0; i < 10; ++i) {
         xr::Headset headset(std::make_unique<xr::Instance>(), kSmall);
-        if (i % 3 == 0) continue; // ended while it opens
+        if (i % 3 == 0) continue; // ends while it opens
         try {
             headset.waitUntilOpened();
             for (int turns = 0; turns < i; ++turns) {
@@ -163,7 +163,7 @@ TEST_CASE("headsets are opened and ended in quick succession") {
                 if (headset.running()) frame(headset);
             }
         } catch (const xr::Stalled&) {
-            // A busy machine; it is ended in the middle of a call.
+            // The machine is busy; the headset ends in the middle of a call.
         }
     }
     CHECK(allGone());

@@ -1,4 +1,4 @@
-// The functions of the OpenXR API, as far as the program calls them.
+// Implements the functions of the OpenXR API that the program calls.
 #include "tests/xr/stub/stub_runtime.hpp"
 
 #include "xr/headset.hpp"
@@ -68,14 +68,14 @@ using Clock = std::chrono::steady_clock;
 constexpr std::int64_t kPeriod = 2'000'000; // ns: faster than any display, so that the threads meet often
 constexpr std::chrono::nanoseconds kSlowPeriod = xr::Headset::kPatience + std::chrono::milliseconds(100);
 
-/// A handle that no two objects share.
+/// Makes a handle that no two objects share.
 template <class Handle>
 Handle newHandle() {
     static std::atomic<std::uintptr_t> last = 0;
     return reinterpret_cast<Handle>(++last);
 }
 
-/// Answers a list as OpenXR does: the count alone, or the values too.
+/// Fills a list as OpenXR does: the count alone, or the values too.
 template <class Value, size_t size>
 XrResult answerList(const std::array<Value, size>& values, uint32_t capacity, uint32_t* count, Value* out) {
     *count = size;
@@ -88,7 +88,7 @@ XrResult answerList(const std::array<Value, size>& values, uint32_t capacity, ui
 
 constexpr XrPosef kIdentity{{0, 0, 0, 1}, {0, 0, 0}};
 
-/// The textures of a swapchain.
+/// Holds the textures of a swapchain.
 struct StubImages {
     std::array<GLuint, 2> textures{};
     uint32_t next = 0;

@@ -1,4 +1,4 @@
-// An OpenXR runtime inside the test program, without headset and compositor: what the loader's functions would call.
+// Imitates an OpenXR runtime inside the test program, without headset and compositor, behind the loader's functions.
 // Its calls can be made to hang and to fail, from any thread.
 #pragma once
 
@@ -14,23 +14,23 @@ namespace meltpool::test {
 
 class StubRuntime {
   public:
-    /// From now on every call that a frame makes hangs, until goOn().
+    /// Makes every call of a frame hang from now on, until goOn().
     void hang();
     void goOn();
-    /// From now on each wait for a frame takes longer than a front end has patience, until so many frames with pictures
-    /// were ended: a runtime that paces the frames by how long the last ones took.
+    /// Makes each wait for a frame take longer than a front end's patience from now on, until so many frames with
+    /// pictures were ended: a runtime that paces the frames by the duration of the last ones.
     void paceSlowly(int pictures) { slowFrames_ = pictures; }
     int slowFrames() const { return slowFrames_; }
-    /// From now on every such call answers XR_ERROR_INSTANCE_LOST, until an instance is made anew.
+    /// Makes every such call return XR_ERROR_INSTANCE_LOST from now on, until a new instance exists.
     void loseInstance() { lost_ = true; }
 
-    /// How many frames were ended, how many instances exist, how many calls hang now.
+    /// Number of ended frames, of existing instances, of calls that hang now.
     int frames() const { return frames_; }
     int instances() const { return instances_; }
     int hanging() const { return hanging_; }
 
-    // For the functions of the API.
-    XrResult call(); ///< hangs or fails where it was told to
+    // Calls for the functions of the API.
+    XrResult call(); ///< hangs or fails on request
     void changeState(XrSessionState state);
     bool takeEvent(XrEventDataBuffer& event);
     void onInstance(int change);
@@ -40,7 +40,7 @@ class StubRuntime {
     std::mutex mutex_;
     std::condition_variable changed_;
     bool hangs_ = false;
-    std::deque<XrSessionState> states_; ///< changes that no event has told yet
+    std::deque<XrSessionState> states_; ///< changes not yet reported by an event
     std::atomic<bool> lost_ = false;
     std::atomic<int> frames_ = 0;
     std::atomic<int> instances_ = 0;
