@@ -1,4 +1,4 @@
-// Catch2, version 2 or 3, under one name.
+// Provides Catch2, version 2 or 3, under one name.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Variables of the environment that are others while a test runs.
+// Changes variables of the environment while a test runs.
 #pragma once
 
 #include <cstdlib>
@@ -6,7 +6,7 @@
 
 namespace meltpool::test {
 
-/// While it lives the variable has this value, or is not set where that is null. Linux only.
+/// Gives the variable this value, or unsets it if null, during its lifetime. Linux only.
 class EnvironmentChange {
   public:
     EnvironmentChange(const char* name, const char* value) : name_(name) {

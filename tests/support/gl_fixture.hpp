@@ -1,4 +1,4 @@
-// The GL context, shaders and goldens that tests share.
+// Provides the GL context, shaders and goldens that tests share.
 #pragma once
 
 #include "core/base/image.hpp"
@@ -10,21 +10,21 @@
 
 namespace meltpool::test {
 
-/// One headless context for the whole test program, made at first use.
+/// Returns the headless context of the whole test program, made at first use.
 gl::HeadlessContext& context();
 
-/// All shaders of the source tree; makes the context.
+/// Returns all shaders of the source tree; makes the context.
 gl::ShaderLibrary& shaders();
 
-/// The folder `tests/` of the source tree.
+/// Returns the folder `tests/` of the source tree.
 std::filesystem::path testFolder();
 
-/// A fresh empty folder that is removed at the end of the test program.
+/// Makes an empty folder that is removed at the end of the test program.
 std::filesystem::path scratchFolder(const std::string& name);
 
-/// Compares with tests/goldens/NAME.png: true when at most `farShare` of the pixels are off by more than 24 of 255 in a
+/// Compares with tests/goldens/NAME.png: true if at most `farShare` of the pixels are off by more than 24 of 255 in a
 /// channel and the mean difference is below 2. With MELTPOOL_APPROVE=1 in the environment writes the golden instead. On
-/// failure the picture is kept as NAME.actual.png in the build folder.
+/// failure saves the picture as NAME.actual.png in the build folder.
 bool matchesGolden(const std::string& name, const Image& picture, double farShare = 0.01);
 
 } // namespace meltpool::test

@@ -1,4 +1,4 @@
-// A machine with little time for a program: the program is stopped for a part of every moment.
+// Imitates a machine with little time for a program: it stops the program for a part of every moment.
 #pragma once
 
 #include <atomic>
@@ -10,7 +10,7 @@
 
 namespace meltpool::test {
 
-/// While it lives, a process is stopped for `stopped` of every `period` seconds. `signal(number)` sends the process a
+/// Stops a process for `stopped` of every `period` seconds during its lifetime. `signal(number)` sends the process a
 /// signal.
 class LittleTime {
   public:
@@ -39,8 +39,8 @@ class LittleTime {
     std::thread thread_;
 };
 
-/// The share of a processor that this machine gives a thread that wants one all the time, measured by working for a
-/// second: 1 on a quiet machine.
+/// Returns the share of a processor that this machine gives a thread with full load, measured by working for a second:
+/// 1 on a quiet machine.
 inline double shareOfProcessor() {
     const auto seconds = [](clockid_t clock) {
         timespec time{};
@@ -53,8 +53,8 @@ inline double shareOfProcessor() {
     return (seconds(CLOCK_THREAD_CPUTIME_ID) - worked) / (seconds(CLOCK_MONOTONIC) - begin);
 }
 
-/// Says when a program that should keep up with the clock need not: after half a minute in which it did not, on a
-/// machine whose other programs leave it too little. A program that is too slow by itself gets no such excuse.
+/// Excuses a program that fails to keep pace with the clock: after half a minute of that, on a machine whose other
+/// programs leave it too little. A program that is too slow by itself gets no excuse.
 class BusyMachine {
   public:
     bool excuses() {
@@ -64,7 +64,7 @@ class BusyMachine {
         share_ = shareOfProcessor();
         return share_ < 0.7;
     }
-    /// The share measured last.
+    /// Share of the last measurement.
     double share() const { return share_; }
 
   private:

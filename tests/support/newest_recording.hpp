@@ -1,4 +1,4 @@
-// Where a program of a test has left its recordings.
+// Finds the recordings that a test's program has left.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace meltpool::test {
 
-/// The recordings of a folder by their names: the oldest first.
+/// Returns the recordings of a folder sorted by name: the oldest first.
 inline std::vector<std::filesystem::path> recordingsIn(const std::filesystem::path& folder) {
     std::vector<std::filesystem::path> files;
     std::error_code none;
@@ -17,7 +17,7 @@ inline std::vector<std::filesystem::path> recordingsIn(const std::filesystem::pa
     return files;
 }
 
-/// An empty name where there is none.
+/// Returns an empty name if there is none.
 inline std::filesystem::path newestRecording(const std::filesystem::path& folder) {
     const auto files = recordingsIn(folder);
     return files.empty() ? std::filesystem::path() : files.back();

@@ -11,7 +11,7 @@ RecordCheck checkRecord(const std::filesystem::path& file) {
     RecordCheck check;
     const std::string text = readTextFile(file);
     check.endsWhole = text.empty() || text.back() == '\n';
-    size_t cells = 0; // of the header, which is the first line without #
+    size_t cells = 0; // number of cells of the header, which is the first line without #
     int number = 0;
     for (const std::string_view line : splitText(text, '\n')) {
         ++number;

@@ -1,4 +1,4 @@
-// Recordings made in memory, and damaged ones with hashes that fit.
+// Makes recordings in memory, and damaged ones with hashes that fit.
 #pragma once
 
 #include "core/training/attempt/content.hpp"
@@ -9,7 +9,7 @@
 
 namespace meltpool::test {
 
-/// Step number `i`, from 1, of an attempt in which everything moves.
+/// Makes step number `i`, from 1, of an attempt in which all values move.
 inline RecordingStep recordedStep(int i) {
     const float f = static_cast<float>(i);
     RecordingStep step;
@@ -56,7 +56,7 @@ inline RecordingEnd recordedEnd(int steps) {
     return end;
 }
 
-/// A recording in memory, frame after frame.
+/// Writes a recording in memory, frame after frame.
 class RecordingBytes {
   public:
     RecordingBytes() : bytes_(kRecordingSignature) {}
@@ -90,7 +90,7 @@ class RecordingBytes {
     FrameChain chain_;
 };
 
-/// An attempt of so many steps with a bit of everything.
+/// Makes an attempt of so many steps with a bit of everything.
 inline std::string recordingOf(const std::string& lesson, int steps) {
     RecordingBytes recording;
     recording.head(recordedHead(lesson)).note(FrameKind::event, 0, "zoom", "2");
@@ -102,7 +102,7 @@ inline std::string recordingOf(const std::string& lesson, int steps) {
     return recording.end(recordedEnd(steps)).bytes();
 }
 
-/// The same bytes with checks and hashes that fit them, as far as the frames' lengths lead.
+/// Returns these bytes with checks and hashes that fit them, as far as the frames' lengths lead.
 inline std::string resealed(std::string bytes) {
     if (!std::string_view(bytes).starts_with(kRecordingSignature)) return bytes;
     std::string sealed(kRecordingSignature);

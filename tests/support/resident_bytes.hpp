@@ -1,4 +1,4 @@
-// What a test program holds of the machine's memory.
+// Measures a test program's share of the machine's memory.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,8 @@
 
 namespace meltpool::test {
 
-/// Bytes of memory that this program has in use; 0 where the system does not tell, and under the address sanitizer,
-/// which keeps what was given back.
+/// Returns the bytes of memory that this program has in use. Returns 0 if the system does not report them, and under
+/// the address sanitizer, which retains freed memory.
 inline std::size_t residentBytes() {
 #if defined(__SANITIZE_ADDRESS__) || !defined(__linux__)
     return 0;

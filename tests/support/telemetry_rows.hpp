@@ -1,5 +1,5 @@
-// The rows that a running window adds to its telemetry, one by one: the newest is not all that a test has to see, since
-// the test itself may stand still while a window goes on.
+// Reads the rows that a running window adds to its telemetry, one by one: the newest row alone is too little for a
+// test, which may pause while a window continues.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -17,17 +17,17 @@ class TelemetryRows {
   public:
     explicit TelemetryRows(std::filesystem::path file) : file_(std::move(file)) {}
 
-    /// Where the next row will begin: the bytes of all whole rows, 0 without any.
+    /// Begin of the next row: the bytes of all whole rows, 0 without any.
     std::streamoff end() const { return newestLine().second; }
-    /// The row that was written last; null without any.
+    /// Returns the last row written; null without any.
     nlohmann::json newest() const {
         const auto [begin, end] = newestLine();
         std::streamoff at = begin;
         return begin == end ? nlohmann::json() : read(at);
     }
-    /// Where the newest row begins, for looking from it on; 0 without any.
+    /// Begin of the newest row, for reading from it on; 0 without any.
     std::streamoff newestBegin() const { return newestLine().first; }
-    /// The row that begins at `at`, which moves behind it; null while that row is not there or not whole.
+    /// Reads the row that begins at `at`, and moves `at` behind it; null while that row is missing or incomplete.
     nlohmann::json read(std::streamoff& at) const {
         std::ifstream in(file_, std::ios::binary);
         in.seekg(at);
@@ -38,7 +38,7 @@ class TelemetryRows {
     }
 
   private:
-    /// Begin and end of the newest whole row in the file.
+    /// Finds begin and end of the newest whole row in the file.
     std::pair<std::streamoff, std::streamoff> newestLine() const {
         std::ifstream in(file_, std::ios::binary | std::ios::ate);
         if (!in) return {0, 0};

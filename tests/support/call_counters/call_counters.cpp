@@ -1,6 +1,6 @@
-// A library that is loaded before the program (LD_PRELOAD) and counts what the program may not do in a frame: requests
-// to the heap, and OpenGL calls that wait for the GPU. It also tells the program when its threads are inside the
-// driver. It counts operator new, not what drivers and C libraries take by other ways.
+// Counts the operations that a frame of the program must avoid: requests to the heap, and OpenGL calls that wait for
+// the GPU. The library is loaded before the program (LD_PRELOAD). It also informs the program when its threads are
+// inside the driver. It counts operator new, not the memory that drivers and C libraries take by other ways.
 #include "app/platform/call_counters.hpp"
 #include "core/gl/gl.hpp"
 #include "tests/support/call_counters/gl_calls.hpp"
@@ -15,9 +15,9 @@ namespace {
 // A thread-local variable of the usual kind would ask the heap itself.
 [[gnu::tls_model("initial-exec")]] thread_local std::uint64_t allocations = 0;
 
-const meltpool::CallListener* listener = nullptr; ///< nullptr: nobody has asked yet
+const meltpool::CallListener* listener = nullptr; ///< nullptr: no listener yet
 
-/// While it lives the thread is inside the driver.
+/// Marks the thread as inside the driver during its lifetime.
 class InDriver {
   public:
     InDriver() : before_(listener == nullptr ? -1 : listener->enterDriver()) {}
@@ -36,7 +36,7 @@ class InDriver {
     int before_;
 };
 
-/// Calls that may wait for the GPU; everything else does not.
+/// Lists the calls that may wait for the GPU; no others do.
 template <auto Slot>
 struct MayWait {
     template <class... Arguments>
@@ -75,7 +75,7 @@ struct MayWait<&glGetQueryObjectui64v> {
     }
 };
 
-/// Stands in the place of one of GLEW's variables and calls what was there.
+/// Replaces one of GLEW's variables and calls its former function.
 template <auto Slot>
 struct Hook;
 
@@ -97,7 +97,7 @@ struct Hook<Slot> {
     }
 };
 
-/// Of the calls of OpenGL 1.1, those that hand pixels to our memory or wait for their own sake.
+/// Returns true for calls of OpenGL 1.1 that hand pixels to our memory or exist to wait.
 constexpr bool waits(std::string_view call) {
     return call == "glFinish" || call == "glReadPixels";
 }
@@ -112,7 +112,7 @@ extern "C" meltpool::AllocationCount meltpool_listen_to_calls(const meltpool::Ca
     return [] { return allocations; };
 }
 
-// The array and nothrow forms come here by the standard library's own definitions.
+// The standard library's own array and nothrow forms call these.
 void* operator new(std::size_t bytes) {
     ++allocations;
     for (;;) {
@@ -131,7 +131,7 @@ void operator delete(void* memory, std::size_t) noexcept {
     std::free(memory);
 }
 
-// The calls of OpenGL 1.1: these definitions come before the driver library's and hand on to them.
+// Calls of OpenGL 1.1: these definitions come before the driver library's and call those.
 #define WATCHED(Result, call, parameters, arguments)                                                                   \
     Result GLAPIENTRY call parameters {                                                                                \
         static const auto original = reinterpret_cast<Result(*) parameters>(dlsym(RTLD_NEXT, #call));                  \

@@ -1,5 +1,5 @@
-// The counting library that frame tests load before the program: it sees every OpenGL call of the program and every
-// request to the heap.
+// Tests the counting library that frame tests load before the program: it sees every OpenGL call of the program and
+// every request to the heap.
 #include "app/platform/call_counters.hpp"
 #include "app/platform/frame_meter.hpp"
 #include "core/base/text.hpp"
@@ -21,12 +21,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The words of a text that look like calls of OpenGL: "glClear(".
+/// Collects the words of a text that look like calls of OpenGL: "glClear(".
 void collectCalls(const std::string& text, std::set<std::string>& calls) {
     for (size_t at = text.find("gl"); at != std::string::npos; at = text.find("gl", at + 1)) {
         const auto letter = [&](size_t i) { return static_cast<unsigned char>(i < text.size() ? text[i] : ' '); };
         if (at > 0 && (std::isalnum(letter(at - 1)) != 0 || letter(at - 1) == '_')) continue;
-        if (std::isupper(letter(at + 2)) == 0 || letter(at + 2) == 'X') continue; // glX is the window system's
+        if (std::isupper(letter(at + 2)) == 0 || letter(at + 2) == 'X') continue; // glX belongs to the window system
         size_t end = at + 2;
         while (std::isalnum(letter(end)) != 0)
             ++end;
@@ -92,7 +92,7 @@ TEST_CASE("a frame's meter hears the heap and calls that wait, and leaves out wh
     });
     CHECK(paused.stalls == 0);
     CHECK(paused.allocations == 0);
-    glFinish(); // nobody listens between frames
+    glFinish(); // no listener between frames
     CHECK(meter.totals().stalls == 0);
 }
 

@@ -1,10 +1,10 @@
-// The OpenGL calls that the counting library sees: every one that the program's own text makes.
+// Lists the OpenGL calls that the counting library sees: every one in the program's own text.
 #pragma once
 
 #include <string_view>
 
 // clang-format off
-// Newer than OpenGL 1.1: variables of the loader GLEW.
+// Calls newer than OpenGL 1.1: variables of the loader GLEW.
 #define NEWER_GL_CALLS(W) \
     W(glAttachShader) W(glBindBuffer) W(glBindBufferBase) W(glBindFramebuffer) W(glBindImageTexture) \
     W(glBindSampler) W(glBindTextureUnit) W(glBindVertexArray) W(glBlitNamedFramebuffer) \
@@ -29,7 +29,7 @@
     W(glVertexArrayElementBuffer) W(glVertexArrayVertexBuffer) W(glVertexAttrib1f) W(glViewportIndexedf) \
     W(glWaitSync)
 
-// Of OpenGL 1.1: functions of the driver's library.
+// Calls of OpenGL 1.1: functions of the driver's library.
 #define OLDER_GL_CALLS(W) \
     W(glEnable) W(glDisable) W(glGetIntegerv) W(glViewport) W(glGetError) W(glClearColor) W(glClear) W(glScissor) \
     W(glFinish) W(glFlush) W(glDepthMask) W(glPixelStorei) W(glDepthFunc) W(glDeleteTextures) W(glIsTexture) \
