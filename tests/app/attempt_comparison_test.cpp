@@ -1,4 +1,5 @@
-// Two kept attempts in the window's comparison: welded a frame's share at a time, to their own bits, and kept.
+// Comparison of two recorded attempts in the window: each is welded again within the frames' time, to the bits of its
+// record.
 #include "app/activities/attempt_comparison.hpp"
 #include "app/session/lesson_session.hpp"
 #include "core/base/error.hpp"
@@ -12,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A bead on a small plate at so many mm/s, as a record.
+/// Record of a bead on a small plate, welded at `speed` in mm/s.
 fs::path recordedBead(const fs::path& folder, const std::string& name, float speed) {
     Lesson lesson = findLesson("gmaw-bead", test::testFolder().parent_path() / "app" / "data" / "lessons");
     lesson.workpiece.lengthMm = 24;
@@ -34,7 +35,7 @@ fs::path recordedBead(const fs::path& folder, const std::string& name, float spe
     return file;
 }
 
-/// Frames of a clock that stands still, until both are welded; how many there were.
+/// Runs frames of a stopped clock until both attempts are welded. Returns the number of frames.
 int untilBoth(AttemptComparison& comparison) {
     int frames = 0;
     double before = 0;
@@ -63,7 +64,7 @@ TEST_CASE("two attempts are welded again in shares of frames, held against each 
     REQUIRE(comparison.welding());
     CHECK(comparison.current() == 0);
     CHECK(comparison.progress() == 0);
-    CHECK(untilBoth(comparison) > 6); // not all at once
+    CHECK(untilBoth(comparison) > 6); // the work is spread over frames
     INFO(comparison.fault());
     REQUIRE(comparison.rows());
     CHECK(comparison.progress() == 1);
@@ -74,7 +75,7 @@ TEST_CASE("two attempts are welded again in shares of frames, held against each 
     CHECK_THAT(comparison.rows()->words, test::containsText("faster travel"));
     CHECK(comparison.bands() != nullptr);
 
-    comparison.begin({fast, "fast"}, {slow, "slow"}); // nothing is welded a second time
+    comparison.begin({fast, "fast"}, {slow, "slow"}); // no second weld of known attempts
     CHECK_FALSE(comparison.welding());
     REQUIRE(comparison.rows());
     CHECK_THAT(comparison.rows()->words, test::containsText("slower travel"));
@@ -124,7 +125,7 @@ TEST_CASE("a person who compares two attempts is in no lesson, and the session m
         session.advance(controls, 1.0 / 45, nullptr);
     CHECK(comparison.rows());
     CHECK_FALSE(activities.current().hurries());
-    session.reset(controls); // there is no lesson to be put back
+    session.reset(controls); // the comparison has no lesson to restore
     CHECK(activities.at(comparison));
     activities.endComparison();
     CHECK_FALSE(activities.at(comparison));
@@ -134,7 +135,7 @@ TEST_CASE("a person who compares two attempts is in no lesson, and the session m
     session.begin(controls);
     CHECK(activities.at(activities.attempt));
     CHECK_FALSE(comparison.rows());
-    session.compare({one, "one"}, {two, "two"}); // which ends the lesson
+    session.compare({one, "one"}, {two, "two"}); // the comparison ends the lesson
     CHECK_FALSE(session.running());
     CHECK(session.run().trainer() == nullptr);
 }

@@ -1,4 +1,4 @@
-// Cues in the session: shown beside the torch in an attempt, told to record and score, never in a test.
+// Cues in the session: drawn next to the torch in an attempt, noted in the record and the score, absent from a test.
 #include "app/session/lesson_session.hpp"
 #include "app/session/notices.hpp"
 #include "core/base/text.hpp"
@@ -33,7 +33,7 @@ class Welder {
             });
         }
     }
-    /// Another attempt from the seam's beginning.
+    /// Starts another attempt at the seam's beginning.
     void again() {
         session.reset(controls);
         x_ = kBegin;
@@ -93,7 +93,7 @@ TEST_CASE("cues fade with the trainee's skill from the next attempt on; each att
     const CueSkill expected = CueSkill().after(*welder.session.attempt().judged()->judgement.score);
     CHECK(welder.session.attempt().cues().skill() == expected);
     CHECK(expected.good(TechniqueQuantity::travelSpeed) == 1);
-    welder.session.judge(); // the same attempt once more
+    welder.session.judge(); // judges the same attempt once more
     CHECK(welder.session.attempt().cues().skill() == expected);
 
     CueSkill master;
@@ -104,7 +104,7 @@ TEST_CASE("cues fade with the trainee's skill from the next attempt on; each att
     welder.lead(0.5, 1);
     CHECK(welder.markers() == 0);
     CHECK(welder.session.attempt().cues().used().names() == "arc");
-    welder.session.open(test::smallBead()); // nothing is known of the trainee in another lesson
+    welder.session.open(test::smallBead()); // another lesson starts without knowledge of the trainee
     CHECK(welder.session.attempt().cues().skill() == CueSkill());
 }
 

@@ -1,5 +1,5 @@
-// The ghost in the session: shown beside the torch in an attempt, told to record and score, never in a test, and
-// without a trace in the metal.
+// The ghost in the session: drawn next to the torch in an attempt, noted in the record and the score, absent from a
+// test, and without effect on the metal.
 #include "app/session/lesson_session.hpp"
 #include "app/session/notices.hpp"
 #include "core/base/text.hpp"
@@ -48,7 +48,7 @@ class Welder {
         });
     }
     void begin() { session.begin(controls); }
-    /// Another attempt from the seam's beginning.
+    /// Starts another attempt at the seam's beginning.
     void again() {
         session.reset(controls);
         x_ = kBegin;
@@ -67,7 +67,7 @@ class Welder {
     std::string fault() const { return std::string(session.attempt().ghost().fault()); }
     double place() const { return static_cast<double>(x_); }
 
-    std::string asked; ///< for its best attempt
+    std::string asked; ///< lesson that the best attempt was requested for
     fs::path best;
     Controls controls;
     LessonSession session;
@@ -89,7 +89,7 @@ TEST_CASE("the expert's ghost stands at the torch's place, is told to the record
     welder.lead(1.2, 1);
     REQUIRE(welder.session.attempt().ghost().moment());
     CHECK(welder.session.attempt().ghost().moment()->place ==
-          Approx(welder.place()).margin(2e-3)); // it follows a little late
+          Approx(welder.place()).margin(2e-3)); // the ghost follows with a small delay
     CHECK(welder.session.attempt().ghost().used() == "expert");
     INFO(welder.words());
     CHECK_THAT(welder.words(), test::containsText("travel angle 10\xC2\xB0 less\n"));
@@ -166,7 +166,7 @@ TEST_CASE("the best kept attempt and a named file are ghosts too; what is missin
     notices.update(welder.session, figures, unlocked, 0.1, messages);
     REQUIRE(messages.shown().size() == 1);
     CHECK_THAT(messages.shown().front().text, test::containsText("There is no ghost"));
-    welder.frame(9, 0); // s; the metal makes only a part of them
+    welder.frame(9, 0); // s; the metal simulates only a part of them
     notices.update(welder.session, figures, unlocked, 0.1, messages);
     CHECK(messages.shown().empty());
 
@@ -177,7 +177,7 @@ TEST_CASE("the best kept attempt and a named file are ghosts too; what is missin
     CHECK_FALSE(welder.ghost().empty());
     CHECK(welder.session.attempt().ghost().used() == "best");
 
-    welder.session.attempt().ghost().choose(folder / "nowhere.csv"); // in the middle of the attempt
+    welder.session.attempt().ghost().choose(folder / "nowhere.csv"); // changes the ghost during the attempt
     welder.lead(0.05, 1);
     CHECK(welder.ghost().empty());
     CHECK_THAT(welder.fault(), test::containsText("next attempt"));
@@ -189,7 +189,7 @@ TEST_CASE("the best kept attempt and a named file are ghosts too; what is missin
     welder.lead(0.3, 1);
     CHECK_FALSE(welder.ghost().empty());
     CHECK(welder.session.attempt().ghost().used() == "file");
-    welder.session.attempt().ghost().parameters.ghost = static_cast<int>(GhostChoice::none); // at once
+    welder.session.attempt().ghost().parameters.ghost = static_cast<int>(GhostChoice::none); // takes effect at once
     welder.lead(0.05, 1);
     CHECK(welder.ghost().empty());
     CHECK(welder.fault().empty());
@@ -202,7 +202,7 @@ TEST_CASE("paced by time the ghost goes its own way from the strike on", "[app]"
     welder.lead(0.1, 0);
     REQUIRE(welder.session.attempt().ghost().moment());
     const double waits = welder.session.attempt().ghost().moment()->torch.time;
-    CHECK(waits < 1); // where it struck, before the plate
+    CHECK(waits < 1); // place of the strike, before the plate
     welder.lead(0.6, 1);
     REQUIRE(welder.session.run().arc().burns());
     const double since = welder.session.attempt().ghost().moment()->torch.time - waits;

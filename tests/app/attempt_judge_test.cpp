@@ -1,4 +1,4 @@
-// The judgement that window and headset share: when it is made, by itself and on request, and when it goes.
+// The judgement that window and headset share: when it is made, automatically and on request, and when it is discarded.
 #include "app/session/lesson_session.hpp"
 #include "tests/app/small_lessons.hpp"
 #include "tests/support/catch.hpp"
@@ -29,7 +29,7 @@ class Welder {
         }
     }
 
-    /// One frame of `seconds`, the torch held still.
+    /// Runs one frame of `seconds` with the torch held still.
     void stall(double seconds, float trigger) {
         session.advance(controls, seconds, nullptr, [&](int, int) {
             TorchSample torch;
@@ -56,7 +56,7 @@ TEST_CASE("a finished weld is judged by itself once, and welding on or another a
     CHECK_FALSE(welder.session.attempt().judged());
     welder.lead(2, 1);
     REQUIRE(welder.session.run().arc().burns());
-    welder.session.judge(); // nothing while the arc burns
+    welder.session.judge(); // no judgement while the arc burns
     CHECK_FALSE(welder.session.attempt().judged());
     welder.lead(0.5, 0);
     CHECK_FALSE(welder.session.attempt().judged());
@@ -79,7 +79,7 @@ TEST_CASE("a finished weld is judged by itself once, and welding on or another a
         REQUIRE(welder.session.run().arc().burns());
         CHECK_FALSE(welder.session.attempt().judged());
         welder.lead(1.2, 0);
-        CHECK(welder.session.attempt().judgements() == 2); // of all that was welded
+        CHECK(welder.session.attempt().judgements() == 2); // covers the whole weld
     }
     SECTION("again") {
         welder.session.reset(welder.controls);
@@ -113,7 +113,7 @@ TEST_CASE("a short weld, and one of a lesson that asks for nothing, is judged on
     CHECK(judged.judgement.score.has_value() == asks);
     CHECK(judged.judgement.verdict.has_value() == asks);
     CHECK(judged.judgement.weld);
-    welder.session.judge(); // asked again: judged again
+    welder.session.judge(); // a new request judges again
     CHECK(welder.session.attempt().judgements() == 2);
 }
 
@@ -131,7 +131,7 @@ TEST_CASE("the classic lesson has nothing to judge", "[app]") {
 TEST_CASE("an attempt in which the hand went unseen for a long frame under the arc is not scored", "[app]") {
     Welder welder(test::smallBead());
     welder.lead(0.1, 0);
-    welder.stall(0.5, 0); // before the arc it spoils nothing
+    welder.stall(0.5, 0); // before the arc a stall costs no score
     welder.lead(0.9, 1);
     REQUIRE(welder.session.run().arc().burns());
     const bool stalls = GENERATE(false, true);

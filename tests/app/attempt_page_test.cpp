@@ -1,4 +1,4 @@
-// The page that the result panel's button writes, from an attempt that is still there.
+// The page that the result panel's button writes from an attempt in progress.
 #include "app/report/record_results.hpp"
 #include "app/session/attempt_page.hpp"
 #include "app/session/lesson_session.hpp"
@@ -40,7 +40,7 @@ TEST_CASE("a judged attempt becomes a page beside its record, and the record alo
     Controls controls;
     session.log().records().use(record, "program", "driver");
     session.begin(controls);
-    CHECK_THROWS_AS(writeAttemptPage(session, 1, "driver"), InputError); // nothing is judged
+    CHECK_THROWS_AS(writeAttemptPage(session, 1, "driver"), InputError); // no judgement yet
     float x = -0.010f;
     lead(session, controls, x, 2, 1);
     lead(session, controls, x, 1.3, 0);
@@ -55,7 +55,7 @@ TEST_CASE("a judged attempt becomes a page beside its record, and the record alo
         INFO(text);
         CHECK_THAT(html, containsText(text));
     }
-    CHECK(writeAttemptPage(session, 1, "a driver") == folder / "weld (2).html"); // none is replaced
+    CHECK(writeAttemptPage(session, 1, "a driver") == folder / "weld (2).html"); // the first page is not replaced
     REQUIRE(session.attempt().judged()->judgement.score);
     const double score = session.attempt().judged()->judgement.score->total;
     session.end("start menu");

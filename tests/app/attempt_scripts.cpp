@@ -19,7 +19,7 @@ namespace {
 
 constexpr float kMm = 1e-3F;
 constexpr double kFrame = 1.0 / 45;
-constexpr double kPull = 0.1;       ///< s, when the trigger is pulled first
+constexpr double kPull = 0.1;       ///< s, time of the first trigger pull
 constexpr double kTouched = 0.1;    ///< s that an electrode touches the metal to strike
 constexpr double kOutOfSight = 0.3; ///< s that a lost torch stays lost
 
@@ -64,7 +64,7 @@ std::string lessonNameOf(const AttemptScript& script) {
     return script.process + "-bead";
 }
 
-/// Other than the lesson's own: the lesson's bands are of its own process.
+/// Sets a process other than the lesson's own; the lesson's bands belong to its own process.
 void changeProcess(Lesson& lesson, const AttemptScript& script) {
     if (script.process == "iron") {
         lesson.process.choose<SolderingIron>() = {};
@@ -79,7 +79,7 @@ void changeProcess(Lesson& lesson, const AttemptScript& script) {
     lesson.acceptance.reset();
 }
 
-/// m from the place that is welded to the tip, out of it.
+/// Distance (m) from the welded place to the tip, away from the metal.
 float distanceOf(const AttemptScript& script, double time) {
     if (script.process == "flame") return 10 * kMm;
     if (script.process == "iron") return 0.5F * kMm;
@@ -88,7 +88,7 @@ float distanceOf(const AttemptScript& script, double time) {
     return (script.piece == "tee" ? 3 : 2) * kMm;
 }
 
-/// Where the hand has gone: x along, y across, m.
+/// Path of the hand: x along the seam, y across it, m.
 glm::vec2 wayOf(const std::string& hand, double time) {
     constexpr double kTurn = glm::two_pi<double>();
     const auto swing = [time](double hertz) { return static_cast<float>(std::sin(kTurn * hertz * time)); };
@@ -100,7 +100,7 @@ glm::vec2 wayOf(const std::string& hand, double time) {
     return {along, 0};
 }
 
-/// How a workpiece lies under the torch.
+/// Position of a workpiece under the torch.
 struct StartPlace {
     glm::vec3 middle{0};
     glm::vec3 up{0, 1, 0};
@@ -140,7 +140,7 @@ TorchSample torchAt(const AttemptScript& script, double time) {
     return torch;
 }
 
-/// The person: takes the script frame by frame.
+/// The trainee: plays the script frame by frame.
 class Person {
   public:
     Person(const AttemptScript& script, LessonSession& session) : script_(script), session_(session) {}
@@ -165,7 +165,8 @@ class Person {
         else
             session_.advance(controls_, kFrame, nullptr, [this](int, int) { return next(); });
         session_.settle(controls_);
-        if (++frames_ % 10 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(2)); // moments are being kept
+        if (++frames_ % 10 == 0)
+            std::this_thread::sleep_for(std::chrono::milliseconds(2)); // gives checkpoints time to be stored
     }
 
   private:
@@ -183,7 +184,7 @@ class Person {
         if (lost != std::exchange(lost_, lost)) session_.run().event("torch", lost ? "lost" : "seen");
     }
 
-    /// Some frames in which no step is made.
+    /// Runs some frames without a step.
     void pause() {
         const size_t steps = session_.run().steps();
         controls_.setMode(Mode::view);
@@ -226,7 +227,7 @@ std::span<const AttemptScript> attemptScripts() {
 
 Lesson lessonOf(const AttemptScript& script) {
     Lesson lesson = findLesson(lessonNameOf(script), testFolder().parent_path() / "app" / "data" / "lessons");
-    lesson.choose.clear(); // the machine stands where the lesson wants it
+    lesson.choose.clear(); // the machine is set as the lesson wants it
     lesson.surface.cells = 24;
     changeProcess(lesson, script);
     WorkpieceParameters& piece = lesson.workpiece;
@@ -239,7 +240,7 @@ Lesson lessonOf(const AttemptScript& script) {
     piece.widthMm = script.piece == "tee" ? 16 : 14;
     piece.thicknessMm = script.piece == "tee" ? 3 : 4;
     if (script.piece == "tee") piece.heightMm = 12;
-    piece.temperatureC = 600; // it melts within a second
+    piece.temperatureC = 600; // melts within a second
     return lesson;
 }
 

@@ -1,5 +1,5 @@
-// Attempts that a script leads through a session without a window: every process, plates, tees, a cube and a bridge,
-// steady and unsteady hands, with all that may happen on the way.
+// Scripted attempts in a session without a window, for every process, several workpieces, steady and unsteady hands,
+// and all events of an attempt.
 #pragma once
 
 #include "core/training/lesson/lesson.hpp"
@@ -14,33 +14,33 @@ namespace meltpool::test {
 
 inline constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// A setting that is turned while the metal is welded.
+/// A setting that changes during the weld.
 struct ScriptedChange {
-    double time = 0; ///< s of the metal
+    double time = 0; ///< s of simulated time
     std::string key;
     std::string value;
 };
 
 struct AttemptScript {
     std::string name;
-    std::string process; ///< "flame", "iron", "gtaw", "rod" (GTAW with one), "gmaw" or "smaw"
+    std::string process; ///< "flame", "iron", "gtaw", "rod" (GTAW with a filler rod), "gmaw" or "smaw"
     std::string piece;   ///< "plate", "tee", "cube" or "bridge"
-    /// "still", "along", "weave", "circle", "dabs" (with pauses of the trigger), "shaky"; "desk": mouse and keys
+    /// "still", "along", "weave", "circle", "dabs" (with pauses of the trigger), "shaky"; "desk" is mouse and keys.
     std::string hand;
-    double seconds = 2; ///< of the metal
+    double seconds = 2; ///< simulated time
     std::vector<ScriptedChange> changes = {};
-    double lost = kNever;  ///< s of the metal from which the torch is out of sight for a while
-    double pause = kNever; ///< s, when the person looks at it from elsewhere
-    double redo = kNever;  ///< s, when the person goes back
+    double lost = kNever;  ///< s of simulated time at which the torch leaves the trackers' sight for a while
+    double pause = kNever; ///< s, time at which the person pauses and looks from elsewhere
+    double redo = kNever;  ///< s, time at which the person goes back
 };
 
-/// Twenty of them.
+/// Returns the twenty scripted attempts.
 std::span<const AttemptScript> attemptScripts();
 
-/// The lesson that it is welded in: one of the catalogue on a small and hot workpiece.
+/// Returns the lesson of an attempt: one of the catalogue on a small and hot workpiece.
 Lesson lessonOf(const AttemptScript& script);
 
-/// Welds it in a session that records into `folder`; the recording.
+/// Welds the attempt in a session that records into `folder`. Returns the path of the recording.
 std::filesystem::path recordAttempt(const AttemptScript& script, const std::filesystem::path& folder);
 
 } // namespace meltpool::test

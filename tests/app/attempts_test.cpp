@@ -1,4 +1,4 @@
-// `meltpool replay`, `compare` and `demonstration` from end to end.
+// `meltpool replay`, `compare` and `demonstration` as commands, with all that they write.
 #include "core/base/text.hpp"
 #include "core/weld/torch/torch_csv.hpp"
 #include "tests/app/program.hpp"
@@ -28,7 +28,7 @@ Json resultIn(const fs::path& folder) {
     return Json::parse(readTextFile(folder / "result.json"));
 }
 
-/// A short bead on a small plate, with time before and after it, and the record of a run of it: the folder `run`.
+/// Runs a short bead on a small plate, with time before and after it, and returns the run's folder with its record.
 fs::path attemptIn(const std::string& name) {
     const fs::path folder = test::scratchFolder(name);
     writeTextFileAtomically(folder / "path.toml", "start_mm = [-7, 3, 0]\ntravel_angle_deg = 10\n"
@@ -52,7 +52,7 @@ fs::path attemptIn(const std::string& name) {
     return folder;
 }
 
-/// The same record with another line in place of the one that begins with `head`.
+/// Copies the record and replaces each line that begins with a given `head`.
 void rewrite(const fs::path& from, const fs::path& to, const std::vector<std::pair<std::string, std::string>>& lines) {
     std::string text = readTextFile(from);
     for (const auto& [head, line] : lines) {
@@ -66,7 +66,7 @@ void rewrite(const fs::path& from, const fs::path& to, const std::vector<std::pa
 } // namespace
 
 TEST_CASE("an attempt is replayed to its bits, seeked, changed, compared and shown", "[app][attempts]") {
-    static const fs::path folder = attemptIn("attempts"); // welded once for all sections
+    static const fs::path folder = attemptIn("attempts"); // one weld serves all sections
     const fs::path record = folder / "run" / "telemetry.csv";
     const std::string lesson = " --lesson" + quoted(folder / "bead.toml");
     const std::string again = "replay" + quoted(record) + lesson + kSmall;
@@ -88,7 +88,7 @@ TEST_CASE("an attempt is replayed to its bits, seeked, changed, compared and sho
         CHECK(result["warnings"] == original["warnings"]);
         CHECK(result["warnings"].size() == 1);
 
-        // The run's folder and the replay's are one and the same attempt.
+        // The run's folder and the replay's hold an identical attempt.
         const test::Outcome compared = runMeltpool("compare" + quoted(folder / "run") + quoted(folder / "same") +
                                                    "--out" + quoted(folder / "page"));
         INFO(compared.errors);
@@ -158,13 +158,13 @@ TEST_CASE("an attempt is replayed to its bits, seeked, changed, compared and sho
         REQUIRE(samples.size() > 10);
         CHECK(samples.front().time == 0);
         const double length = samples.back().time;
-        CHECK(length > 2.2); // a second, 1.4 s of weld and what there is after it
-        CHECK(length < 2.9); // of 3 s
+        CHECK(length > 2.2); // one second, 1.4 s of weld and the time after it
+        CHECK(length < 2.9); // shorter than the full 3 s
         const test::Outcome run = runMeltpool("run" + quoted(shown) + kSmall + "--out" + quoted(folder / "welded"));
         INFO(run.errors);
         REQUIRE(run.code == 0);
         const Json result = resultIn(folder / "welded");
-        CHECK(result["parameters"]["voltage"] == 22); // as the attempt had it
+        CHECK(result["parameters"]["voltage"] == 22); // value of the attempt
         CHECK(result["score"]["scored"] == true);
         CHECK(result["score"]["values"]["travel_speed"]["mean"].get<double>() == Approx(10).epsilon(0.1));
     }

@@ -1,4 +1,4 @@
-// Whatever a person may get wrong ends the real program with exit code 2 and one sentence that says where and what.
+// Invalid input ends the real program with exit code 2 and one sentence that names the place and the fault.
 #include "core/base/text.hpp"
 #include "tests/app/program.hpp"
 #include "tests/support/catch.hpp"
@@ -23,8 +23,8 @@ void checkRefusal(const Case& bad) {
     CHECK(outcome.code == 2);
     CHECK_THAT(outcome.errors, containsText(bad.place));
     CHECK_THAT(outcome.errors, containsText(bad.expectation));
-    CHECK_THAT(outcome.errors, containsText("xpected")); // or "Expected", behind a likely name
-    // One sentence on one line.
+    CHECK_THAT(outcome.errors, containsText("xpected")); // or "Expected", after a likely name
+    // The message is one sentence on one line.
     CHECK(std::count(outcome.errors.begin(), outcome.errors.end(), '\n') == 1);
 }
 

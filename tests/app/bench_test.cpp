@@ -1,4 +1,4 @@
-// The benchmark's frame: what a measurement keeps, and the report that other programs read.
+// The benchmark's frame: its measured values and the report that other programs read.
 #include "app/bench/bench.hpp"
 #include "app/bench/card.hpp"
 #include "app/bench/lesson.hpp"
@@ -23,7 +23,7 @@ double further(const BenchRow& row, const std::string& name) {
     return 0;
 }
 
-/// A bead on a plate so small and coarse that a second of it is quick.
+/// A bead on a plate so small and coarse that one simulated second takes little time.
 Lesson smallBead() {
     Lesson lesson = findLesson("gmaw-bead", resourceFolder() / "data" / "lessons");
     for (const auto& [key, value] : {std::pair{"length_mm", "30"}, {"width_mm", "20"}, {"spacing_mm", "2"}})
@@ -45,7 +45,7 @@ TEST_CASE("a measurement keeps the least time and the passes of its own suite", 
             ++runs;
         },
         0.0, 5, 50);
-    CHECK(runs == 2 + 5); // two to warm up
+    CHECK(runs == 2 + 5); // two runs warm up
     CHECK(row.suite == "suite");
     CHECK(row.what == "clear");
     CHECK(row.stepMs > 0);
@@ -90,7 +90,7 @@ TEST_CASE("a measured lesson tells its speed and the share of each part", "[app]
     CHECK(further(row, "pictures") == 10);
     CHECK(further(row, "steps") >= 90); // a step is a 90th of a second at most
     CHECK(further(row, "dispatches") > further(row, "steps"));
-    CHECK(further(row, "simulated_over_wall") == Approx(1e3 / row.stepMs)); // one second was measured
+    CHECK(further(row, "simulated_over_wall") == Approx(1e3 / row.stepMs)); // one second is measured
     double shares = 0;
     for (const char* part : {"physics_share", "surface_share", "picture_share", "rest_share"}) {
         INFO(part);
@@ -104,7 +104,7 @@ TEST_CASE("a measured lesson tells its speed and the share of each part", "[app]
 TEST_CASE("the card's suite measures pools until one is slow, and a weld with both eyes", "[app]") {
     Bench bench(test::shaders(), "card");
     CardLimits limits;
-    limits.seconds = 1e6; // repeats end it, however slow the machine is
+    limits.seconds = 1e6; // repeats end the measurement, however slow the machine is
     limits.longestPool = 1e6;
     limits.repeats = 5;
     limits.largestPool = 256 * 4;
@@ -124,7 +124,7 @@ TEST_CASE("the card's suite measures pools until one is slow, and a weld with bo
     }
     limits.longestPool = 0;
     measurePools(bench, limits);
-    CHECK(bench.rows().size() == 3); // the smallest is slow already
+    CHECK(bench.rows().size() == 3); // even the smallest case is slow
 
     measureWeldAndEyes(bench, smallBead(), limits);
     REQUIRE(bench.rows().size() == 6);
@@ -144,7 +144,7 @@ TEST_CASE("empty dispatches are 200 and timed on the GPU and by the clock", "[ap
     const BenchRow row = measureEmptyDispatches(bench);
     const std::uint64_t dispatches = gl::dispatchCount() - before;
     CHECK(dispatches % 200 == 0);
-    CHECK(dispatches >= 5 * 200); // two to warm up, three at least
+    CHECK(dispatches >= 5 * 200); // two runs warm up, at least three count
     CHECK(row.stepMs > 0);
     CHECK(further(row, "us_per_dispatch") == Approx(row.stepMs * 1e3 / 200));
     REQUIRE(row.passes.size() == 1);
@@ -155,7 +155,7 @@ TEST_CASE("the suite of looks measures the levels, and each measure left out, fo
     Bench bench(test::shaders(), "looks");
     Lesson lesson = findLesson("gmaw-bead", resourceFolder() / "data" / "lessons");
     lesson.set("spacing_mm", "2", "test");
-    measureLooks(bench, lesson, {1.0, 160, 90, 1, 0}); // by then the arc burns
+    measureLooks(bench, lesson, {1.0, 160, 90, 1, 0}); // the arc burns by then
     const size_t ofAnEye = 3 + kMeasures.size();
     REQUIRE(bench.rows().size() == 2 * ofAnEye);
     CHECK(bench.rows()[0].what == "high, one eye");

@@ -1,4 +1,4 @@
-// The drawing of a bent strap: openings to scale where they lie, and a sentence that says the same.
+// The drawing of a bent strap: openings to scale at their places, and a sentence with equal content.
 #include "app/session/bend_drawing.hpp"
 
 #include "tests/support/catch.hpp"
@@ -22,7 +22,7 @@ WeldMeasures butt(WeldKind kind) {
     return summarise(std::move(list), kind, 2 * kMm, 1 * kMm);
 }
 
-/// From left to right of the parts of one kind, mm, of the stretched face's last one.
+/// Returns the left and the right end (mm) of the last shape of one kind.
 glm::vec2 reachOf(const BendDrawing& drawing, BendPart part) {
     glm::vec2 reach(0);
     for (const BendShape& shape : drawing.shapes) {

@@ -1,5 +1,5 @@
-// What people bring to the program: torch paths of other programs, implausible ones, lessons that leave something out,
-// attempts that cannot be compared, and an output that is cut off.
+// Files that people bring to the program: foreign torch paths, implausible paths, incomplete lessons, attempts that
+// cannot be compared, and an output that is cut off.
 #include "core/base/text.hpp"
 #include "core/training/lesson/lesson.hpp"
 #include "core/training/lesson/recorded_attempt.hpp"
@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-/// A weld that software drivers finish in seconds.
+/// A weld that a software driver finishes in seconds.
 const std::string kQuickWeld = "run gmaw-bead --size 160x120 --pictures 0 --seconds 0.25 --set length_mm=24 "
                                "--set width_mm=20 --set thickness_mm=4 --set cells=24 --torch '";
 
@@ -32,7 +32,7 @@ Json resultIn(const fs::path& folder) {
     return Json::parse(readTextFile(folder / "result.json"));
 }
 
-/// Of a run of a folder, as far as comparing them needs.
+/// Writes as much of a run's folder as a comparison reads.
 void writeRun(const fs::path& folder, const std::string& lesson) {
     fs::create_directories(folder);
     writeTextFileAtomically(folder / "result.json", R"({"lesson": ")" + lesson + R"(", "finished": true})");
@@ -75,7 +75,7 @@ TEST_CASE("rows without a pose are a lost torch in the record, which repeats bit
     INFO(again.errors);
     REQUIRE(again.code == 0);
     CHECK(resultIn(folder / "again").at("state_hash") == resultIn(folder / "first").at("state_hash"));
-    CHECK_FALSE(resultIn(folder / "again").contains("torch_form")); // of a record nothing is assumed
+    CHECK_FALSE(resultIn(folder / "again").contains("torch_form")); // records need no guess
 }
 
 TEST_CASE("a run that can weld nothing says so on the terminal and in its result", "[app]") {
@@ -91,7 +91,7 @@ TEST_CASE("a run that can weld nothing says so on the terminal and in its result
     REQUIRE(resultIn(folder / "far").at("warnings").size() == 1);
     CHECK_THAT(resultIn(folder / "far").at("warnings")[0].get<std::string>(), containsText("wholly outside"));
 
-    // Over the plate, but too far for an arc: only the end of the run shows it.
+    // The path is over the plate but too far for an arc, so only the end of the run shows the fault.
     writeTextFileAtomically(folder / "high.toml", "start_mm = [0, 25, 0]\n[[move]]\nkind = 'arc_on'\n"
                                                   "[[move]]\nkind = 'line'\nto_mm = [5, 25, 0]\nspeed_mm_s = 20\n");
     const test::Outcome high =
@@ -151,7 +151,7 @@ TEST_CASE("an option without its value says what it takes", "[app]") {
 TEST_CASE("a reader who has read enough ends the output without a word", "[app]") {
     for (const char* arguments : {"lessons", "lessons gmaw-bead", "--help"}) {
         INFO(arguments);
-        // Its reader has ended before the program writes.
+        // The reader ends before the program writes.
         const test::Outcome outcome =
             runMeltpool(arguments, "bash -c 'set -o pipefail; (sleep 0.3; exec \"$@\") | true' bash");
         CHECK(outcome.code == 0);

@@ -1,4 +1,4 @@
-// `meltpool check` from end to end: exit codes, what it prints, and the JUnit file.
+// `meltpool check` as a command: exit codes, printed lines, and the JUnit file.
 #include "core/base/text.hpp"
 #include "core/training/lesson/lesson_check.hpp"
 #include "tests/app/program.hpp"
@@ -33,15 +33,16 @@ void writeLesson(const fs::path& folder) {
         "aim = { ideal = 0, inner = 0.5, outer = 2 }\ntravel_speed = { ideal = 8, inner = 1, outer = 3 }\n");
 }
 
-/// The driver's Mesa as the doctor names it; 0 of another driver.
+/// Returns the Mesa version that the doctor names; 0 for another driver.
 int mesaVersion() {
     static const std::string found = runMeltpool("doctor").output;
     const size_t at = found.find("Mesa ");
     return at == std::string::npos ? 0 : std::atoi(found.c_str() + at + 5);
 }
 
-/// Whether the outcome of a check hangs on how a driver rounds. These are of Mesa 22.3. With Mesa 25 the expert of
-/// `butt-1g` has 89 points, the tremors are not accepted, and the root of `smaw-tee` is fused 0.8995 mm of 0.9.
+/// True for a check whose result depends on a driver's rounding. The shipped expectations are those of Mesa 22.3. With
+/// Mesa 25 the expert of `butt-1g` has 89 points, the tremors are not accepted, and the root of `smaw-tee` is fused
+/// 0.8995 mm of 0.9.
 bool isOfAnotherDriver(const fs::path& check) {
     const std::string name = (check.parent_path().filename() / check.filename()).generic_string();
     constexpr std::array<std::string_view, 4> kOfMesa22{"butt-1g/expert.toml", "butt-1g/expert-tremor-1.toml",
@@ -52,7 +53,7 @@ bool isOfAnotherDriver(const fs::path& check) {
     return true;
 }
 
-/// The checks of one shipped lesson: demonstrations, or what is done wrong.
+/// Returns the checks of one shipped lesson: the demonstrations if `expert`, else the faulty welds.
 std::vector<fs::path> checksOf(const fs::path& folder, bool expert) {
     std::vector<fs::path> checks;
     for (const auto& entry : fs::directory_iterator(folder))
@@ -63,7 +64,7 @@ std::vector<fs::path> checksOf(const fs::path& folder, bool expert) {
     return checks;
 }
 
-/// A folder of checks for each shipped lesson that has some.
+/// Returns the folder of checks of each shipped lesson that has some.
 std::vector<fs::path> checkedLessons() {
     std::vector<fs::path> folders;
     for (const auto& entry : fs::directory_iterator(test::testFolder() / "checks"))
@@ -121,7 +122,7 @@ TEST_CASE("an expert and a fault of a lesson come out as expected, of another le
     const auto today = static_cast<size_t>(std::time(nullptr) / 86400);
     const std::vector<fs::path> lessons = checkedLessons();
     REQUIRE(lessons.size() >= 5);
-    // Each time that a lesson's turn comes, its next expert and its next fault are welded.
+    // Each lesson's turn welds its next expert and its next fault.
     const fs::path lesson = lessons[today % lessons.size()];
     const size_t turn = today / lessons.size();
     for (const bool expert : {true, false}) {

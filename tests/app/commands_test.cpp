@@ -1,4 +1,4 @@
-// The commands that only tell: help, lessons, doctor, and the program without a display.
+// The commands that only print: help, lessons, doctor, and the program without a display.
 #include "app/commands/headless_runner.hpp"
 #include "app/platform/progress_bar.hpp"
 #include "tests/app/program.hpp"
@@ -50,7 +50,7 @@ TEST_CASE("the doctor says that a newer software driver is faster, where the dri
 }
 
 TEST_CASE("the doctor says how both eyes are drawn, and what the driver lacks for the best way", "[app]") {
-    // Only Mesa listens to this.
+    // Only Mesa reads this variable.
     const test::Outcome poor = runMeltpool("doctor", "env MESA_EXTENSION_OVERRIDE=-GL_ARB_shader_viewport_layer_array");
     INFO(poor.output);
     CHECK(poor.code == 0);

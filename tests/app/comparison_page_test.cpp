@@ -1,4 +1,4 @@
-// The page of two attempts: both systems, nothing that is loaded, and nothing drawn of what is not there.
+// The page of two attempts: both systems of units, no loaded content, and no drawing of absent values.
 #include "app/report/comparison_page.hpp"
 #include "app/report/twin_curve.hpp"
 #include "core/base/text.hpp"
@@ -35,7 +35,7 @@ fs::path folderOf(const std::string& name, const std::string& penetration, const
     return folder;
 }
 
-/// Whether every tag is closed: the page without its heading, its style and the tags that HTML leaves open is XML.
+/// True if every tag is closed: the page without its heading, its style and the tags that HTML leaves open is XML.
 bool isBalanced(const std::string& html) {
     std::string body = html.substr(html.find("<main>"), html.find("</main>") - html.find("<main>")) + "</main>";
     for (size_t at = body.find("<img "); at != std::string::npos; at = body.find("<img ", at + 1))
@@ -92,10 +92,10 @@ TEST_CASE("two curves share one sheet, and each is broken where nothing is known
     };
     CHECK(count("class=\"first\"") == 1);
     CHECK(count("class=\"second\"") == 2);
-    CHECK(svg.find("48.0,106.0") != std::string::npos); // 0 mm, the least of both values
-    CHECK(svg.find("632.0,22.0") != std::string::npos); // 4 mm, the greatest
+    CHECK(svg.find("48.0,106.0") != std::string::npos); // 0 mm, the smaller of both values
+    CHECK(svg.find("632.0,22.0") != std::string::npos); // 4 mm, the larger one
     CHECK_THAT(svg, test::containsText("speed (mm/s) along the seam (mm)"));
     CHECK_THAT(svg, test::containsText("speed (in/min) along the seam (in)"));
-    CHECK_THAT(svg, test::containsText("class=\"in\" x=\"43.0\"")); // a number at the left in the other system
+    CHECK_THAT(svg, test::containsText("class=\"in\" x=\"43.0\"")); // number at the left in the other system
     CHECK(twinCurveDrawing({"a", "mm", {0}, {NAN}, std::nullopt}, {"a", "mm", {}, {}, std::nullopt}).empty());
 }

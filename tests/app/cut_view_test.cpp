@@ -1,4 +1,4 @@
-// The weld cut open in the session: place, stations, camera, and that the metal waits meanwhile.
+// The cut weld in the session: place, stations, camera, and the metal's pause.
 #include "app/session/cut_stand.hpp"
 #include "app/session/lesson_session.hpp"
 #include "app/session/notices.hpp"
@@ -35,7 +35,7 @@ class Welder {
             });
     }
 
-    /// A frame at the desk with this input.
+    /// Runs a frame at the desk with this input.
     void frame(const InputFrame& input) {
         controls.update(input, kFrame);
         session.advance(controls, kFrame, nullptr);
@@ -81,7 +81,7 @@ TEST_CASE("the judged weld is cut open with the verdict's own stations, and the 
     REQUIRE(cut.station() != nullptr);
     const size_t steps = session.run().steps();
 
-    // The slider's way through the session: station and picture follow.
+    // The slider acts through the session: station and picture follow it.
     for (const double wanted : {-4e-3, 0.0, 3e-3}) {
         INFO(wanted);
         cut.moveTo(wanted);
@@ -98,9 +98,9 @@ TEST_CASE("the judged weld is cut open with the verdict's own stations, and the 
         CHECK(static_cast<double>(glm::distance(toes->from, toes->to)) == Approx(*station->toeWidth));
     }
     CHECK(session.run().steps() == steps);
-    CHECK(session.attempt().judged()); // it stays
+    CHECK(session.attempt().judged()); // the judgement remains
 
-    // Arrow keys and a dragging mouse.
+    // Arrow keys and a dragged mouse move the cut.
     InputFrame input;
     input.pressed = {Key::left, Key::left};
     welder.frame(input);
@@ -112,10 +112,10 @@ TEST_CASE("the judged weld is cut open with the verdict's own stations, and the 
     cut.moveTo(1);
     CHECK(cut.place() == Approx(15e-3)); // the plate's end
     welder.frame({});
-    CHECK(cut.station() == nullptr); // beside what is judged
+    CHECK(cut.station() == nullptr); // the place is outside the judged seam
     CHECK(cut.marks().empty());
 
-    // Square before the cut, on the side that is taken away.
+    // The camera looks squarely at the cut, from the side that is removed.
     const glm::vec3 forward = welder.controls.orbitCamera().forward();
     CHECK(glm::distance(forward, glm::vec3(-1, 0, 0)) < 1e-4f);
     session.toggleCut(welder.controls);
@@ -154,10 +154,10 @@ TEST_CASE("a weld that is not judged is cut with the figures of the cut itself; 
     welder.controls.setMode(Mode::view);
     welder.frame({});
     REQUIRE(session.cuts());
-    CHECK_FALSE(toldSlow()); // metal that stands still is not slow
+    CHECK_FALSE(toldSlow()); // paused metal counts as full speed
     session.toggleCut(welder.controls);
     REQUIRE(session.picture().cut().shown());
-    CHECK(welder.controls.mode() == Mode::interact); // its camera
+    CHECK(welder.controls.mode() == Mode::interact); // the cut has its own camera
     CHECK_FALSE(session.picture().cut().judged());
     session.picture().cut().moveTo(-5e-3);
     welder.frame({});
@@ -171,22 +171,23 @@ TEST_CASE("a weld that is not judged is cut with the figures of the cut itself; 
 
 TEST_CASE("the headset turns the section to the reader, large enough, upright and clear of the table", "[app]") {
     const float table = 0.9f;
-    const glm::mat4 lies = glm::translate(glm::mat4(1), glm::vec3(0.1f, table + 0.01f, -0.05f)); // as it is, size 1
+    const glm::mat4 lies =
+        glm::translate(glm::mat4(1), glm::vec3(0.1f, table + 0.01f, -0.05f)); // the workpiece at size 1
     const CutFace face{0.004f, {0, 1}, 0.006f, {-0.03f, -0.01f, -0.02f}, {0.03f, 0.014f, 0.02f}};
     const glm::mat4 stand = standOfCut(lies, face, table);
     const auto at = [&](float x, float y, float z) { return glm::vec3(stand * glm::vec4(x, y, z, 1)); };
     CHECK(glm::distance(at(0.004f, 0, 0.003f), at(0.004f, 0, -0.003f)) == Approx(0.12f));
     const glm::vec3 out = glm::normalize(at(1, 0, 0) - at(0, 0, 0)), up = at(0, 1, 0) - at(0, 0, 0);
-    CHECK(out.z > 0.9f); // to the person before the table
-    CHECK(out.y > 0.2f); // whose eyes are higher
+    CHECK(out.z > 0.9f); // towards the person in front of the table
+    CHECK(out.y > 0.2f); // the person's eyes are higher
     CHECK(up.y > 0);
     CHECK(up.x == Approx(0).margin(1e-6));
-    CHECK(at(0, 0, 1).x < at(0, 0, 0).x); // not mirrored: the welder's side is at the left, as on the desk
+    CHECK(at(0, 0, 1).x < at(0, 0, 0).x); // not mirrored: the welder's side is on the left, as at the desk
     for (const float x : {face.low.x, face.at})
         for (const float y : {face.low.y, face.high.y})
             for (const float z : {face.low.z, face.high.z})
                 CHECK(at(x, y, z).y > table);
-    // One that is shown large already keeps its size.
+    // An enlarged workpiece does not change its size.
     const glm::mat4 large = standOfCut(glm::scale(lies, glm::vec3(25)), face, table);
     CHECK(glm::length(glm::vec3(large[0])) == Approx(25));
 }

@@ -1,4 +1,4 @@
-// The lesson's demonstration in the session: the expert's torch welds, stops, and moves alone to any time.
+// The lesson's demonstration in the session: the expert's torch welds, stops, and goes to any time by itself.
 #include "app/session/lesson_session.hpp"
 #include "app/session/notices.hpp"
 #include "tests/support/catch.hpp"
@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 /// A bead on a small plate of few particles.
 Lesson smallBead() {
     Lesson lesson = findLesson("gmaw-bead", test::testFolder().parent_path() / "app" / "data" / "lessons");
-    lesson.workpiece.lengthMm = 100; // as long as the expert's path
+    lesson.workpiece.lengthMm = 100; // length of the expert's path
     lesson.workpiece.widthMm = 14;
     lesson.workpiece.thicknessMm = 3;
     lesson.workpiece.spacingMm = 1.5f;
@@ -25,7 +25,7 @@ class Trainee {
   public:
     Trainee() : session(test::shaders(), smallBead(), [] { return 0.0; }) {}
 
-    /// Frames of 1/45 s with the trainee's own torch far over the plate.
+    /// Runs frames of 1/45 s with the trainee's own torch far over the plate.
     void watch(double seconds) {
         constexpr double kFrame = 1.0 / 45;
         for (double time = 0; time < seconds; time += kFrame)
@@ -55,14 +55,14 @@ TEST_CASE("a demonstration is played, paused, moved and begun again", "[app]") {
     CHECK(shown.welds());
     shown.moveTo(3);
     CHECK_FALSE(shown.welds());
-    CHECK(shown.takeMetalDue()); // the metal as it was at first, once
+    CHECK(shown.takeMetalDue()); // the metal's first state, once
     CHECK_FALSE(shown.takeMetalDue());
     shown.moveTo(-2);
     CHECK(shown.time() == 0);
     shown.moveTo(9);
     CHECK(shown.time() == 4);
     CHECK_FALSE(shown.takeMetalDue());
-    shown.toggle(); // at its end
+    shown.toggle(); // at the demonstration's end
     CHECK((shown.playing() && shown.welds() && shown.time() == 0));
     CHECK(shown.takeMetalDue());
     shown.reach(5);
@@ -82,7 +82,7 @@ TEST_CASE("the expert's torch welds in the demonstration; nothing of it is recor
     REQUIRE(session.running());
     trainee.watch(1.5);
     CHECK(session.run().steps() > 10);
-    CHECK(trainee.torchOff() < 1e-4); // the trainee's hand does not lead it
+    CHECK(trainee.torchOff() < 1e-4); // the trainee's hand does not lead the torch
     CHECK(session.leader() == TorchLeader::path);
     LessonFigures figures;
     fillFigures(figures, session);

@@ -1,4 +1,4 @@
-// A filler rod in the other hand: drawn where the process melts it, in no picture where it does not.
+// A filler rod in the other hand: drawn with the processes that melt it, absent from other pictures.
 #include "app/headset/stereo_view.hpp"
 #include "core/render/picture_target.hpp"
 #include "tests/support/catch.hpp"
@@ -10,9 +10,9 @@ using namespace meltpool;
 
 namespace {
 
-constexpr int kWidth = 160, kHeight = 120; // pixels, of an eye
+constexpr int kWidth = 160, kHeight = 120; // pixels per eye
 
-/// The processes of the test: the last holds no rod, by the lesson's word.
+/// The processes of the test; the lesson of the last one excludes a rod.
 enum class Kind { gmaw, gtaw, gtawWithoutRod };
 
 /// The GMAW lesson on a plate of 24x20 mm, or the same plate under a GTAW torch.
@@ -26,7 +26,7 @@ Lesson smallWeld(Kind kind) {
     return lesson;
 }
 
-/// A welding torch 3 mm over the plate; `rod`: with a filler rod, its end some mm from the arc, in plain sight.
+/// A welding torch 3 mm over the plate; `rod` adds a filler rod in full view, with its end some mm from the arc.
 TorchSample torchWith(bool rod) {
     TorchSample torch;
     torch.tip = {0, 0.003F, 0};
@@ -36,7 +36,7 @@ TorchSample torchWith(bool rod) {
     return torch;
 }
 
-/// Window's picture and headset's picture after some welding.
+/// The window's and the headset's picture after some welding.
 struct Shown {
     Image window, eyes;
     size_t solids = 0; ///< in the window's draw list
@@ -46,11 +46,11 @@ Shown weldWith(Kind kind, const TorchSample& torch) {
     LessonSession session(test::shaders(), smallWeld(kind));
     Controls controls;
     session.begin(controls);
-    while (session.run().steps() < 20) // at most one a call, as fast as this machine is
+    while (session.run().steps() < 20) // at most one step a call, however fast this machine is
         session.advance(controls, 1.0 / 200, nullptr, [&](int, int) { return torch; });
     REQUIRE(session.run().steps() == 20);
     REQUIRE(session.run().arc().burns());
-    // Of a rod that the lesson does not want nothing is known, to the record neither.
+    // A rod that the lesson excludes reaches neither session nor record.
     CHECK(session.run().torch().rod.has_value() == (torch.rod.has_value() && kind == Kind::gtaw));
 
     Shown shown;
@@ -89,7 +89,7 @@ TEST_CASE("a filler rod in the hand is drawn where its process melts it, in the 
         INFO(static_cast<int>(kind));
         const bool shown = kind == Kind::gtaw;
         const Shown without = weldWith(kind, torchWith(false)), with = weldWith(kind, torchWith(true));
-        CHECK(without.solids > 2); // the torch
+        CHECK(without.solids > 2); // the torch's solids
         CHECK(with.solids == without.solids + (shown ? 1 : 0));
         if (shown) {
             CHECK(compareImages(with.window, without.window, 24).farPixels > 0.002);
@@ -98,7 +98,7 @@ TEST_CASE("a filler rod in the hand is drawn where its process melts it, in the 
             CHECK(compareImages(with.window, without.window, 0).largest == 0);
             CHECK(compareImages(with.eyes, without.eyes, 0).largest == 0);
         }
-        // The pictures show what is there: a torch elsewhere is another picture.
+        // A moved torch changes the picture.
         TorchSample moved = torchWith(false);
         moved.tip.x = 0.004F;
         const Shown other = weldWith(kind, moved);

@@ -1,4 +1,4 @@
-// What `meltpool run` makes for others to look at: a time-lapse with and without ffmpeg, and a turntable.
+// Films of `meltpool run`: a time-lapse with and without ffmpeg, and a turntable.
 #include "app/export/film.hpp"
 #include "app/report/attempt_pictures.hpp"
 #include "core/base/error.hpp"
@@ -34,7 +34,7 @@ size_t countOf(const fs::path& folder, const std::string& begin) {
     return count;
 }
 
-/// A folder with an ffmpeg that keeps its words in words.txt there and runs this script.
+/// Makes a folder with an ffmpeg that writes its arguments to words.txt and runs this script.
 fs::path folderWithEncoder(const fs::path& folder, const std::string& script) {
     fs::create_directories(folder);
     const fs::path program = folder / "ffmpeg";
@@ -58,7 +58,7 @@ TEST_CASE("a time-lapse takes a picture whenever one of its own is due", "[app]"
     film.add(picture, 1);
     CHECK(film.due(0.1, 0.005) == 0);
     CHECK(film.due(0.196, 0.005) == 1);
-    CHECK(film.due(0.65, 0.005) == 3); // slower than the steps
+    CHECK(film.due(0.65, 0.005) == 3); // pictures come slower than steps
     film.add(picture, 3);
     CHECK(film.due(0.65, 0.005) == 0);
     CHECK(countOf(folder, "video-") == 4);
@@ -104,7 +104,7 @@ TEST_CASE("a run without ffmpeg leaves the time-lapse as pictures and says so, a
         }
     CHECK(compareImages(frames.front(), frames.back(), 8).farPixels > 0);
     CHECK(compareImages(turned[0], turned[1], 8).farPixels > 0.01);
-    // Another run into the same folder removes them.
+    // A later run into this folder removes them.
     const test::Outcome again = runMeltpool(kQuick + "--out '" + (folder / "out").string() + "'");
     CHECK(again.code == 0);
     CHECK(countOf(folder / "out", "video-") + countOf(folder / "out", "turntable-") == 0);

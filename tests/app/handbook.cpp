@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The name by which links reach a heading: lower case, spaces as dashes, punctuation left out.
+/// Returns the name by which links reach a heading: lower case, dashes for spaces, without punctuation.
 std::string anchorOf(const std::string& heading) {
     std::string anchor;
     for (const char c : heading) {
@@ -25,7 +25,7 @@ std::string anchorOf(const std::string& heading) {
     return anchor;
 }
 
-/// The comment `<!-- KEY: WORDS -->` of a line; "" where it has none.
+/// Returns the comment `<!-- KEY: WORDS -->` of a line; "" for a line without one.
 std::string comment(const std::string& line, const std::string& key) {
     const std::string begin = "<!-- " + key + ": ";
     const size_t from = line.find(begin), to = line.find(" -->", from);
@@ -41,7 +41,7 @@ std::vector<std::string> cellsOf(const std::string& line) {
     return cells;
 }
 
-/// Walks over the lines of a page; a comment that stands alone holds for the block below it.
+/// Walks over the lines of a page; a comment on a line of its own applies to the block below it.
 class Reader {
   public:
     explicit Reader(Page& page) : page_(page) {}
@@ -134,7 +134,7 @@ class Reader {
 
     Page& page_;
     bool inFence_ = false;
-    bool freshComment_ = false; ///< the line above was a comment that stands alone
+    bool freshComment_ = false; ///< the line above is a comment on a line of its own
     std::string language_, blockNotRun_, blockKind_;
     ShownFile shown_;
     ShownTable table_;

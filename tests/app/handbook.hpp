@@ -1,4 +1,4 @@
-// README and handbook as the tests read them: commands, example files, tables, links.
+// README and handbook as data for tests: commands, example files, tables, links.
 #pragma once
 
 #include <filesystem>
@@ -10,13 +10,13 @@ namespace meltpool::test {
 
 /// A command of the program that a page shows.
 struct ShownCommand {
-    std::string arguments; ///< behind `meltpool` or `./run.sh`
-    std::string notRun;    ///< the reason of a comment "not run: REASON"; empty: the command is run
+    std::string arguments; ///< text after `meltpool` or `./run.sh`
+    std::string notRun;    ///< reason in a comment "not run: REASON"; empty if the command is run
     std::filesystem::path page;
     size_t line = 0;
 };
 
-/// A file that a page shows behind a comment "read as: KIND".
+/// A file that a page shows after a comment "read as: KIND".
 struct ShownFile {
     std::string kind;
     std::string text;
@@ -24,20 +24,20 @@ struct ShownFile {
     size_t line = 0;
 };
 
-/// A table: heads and cells as written.
+/// A table with heads and cells as written.
 struct ShownTable {
     std::vector<std::string> heads;
     std::vector<std::vector<std::string>> rows;
     std::filesystem::path page;
     size_t line = 0;
 
-    /// Code spans in a row's cell.
+    /// Returns the code spans in a row's cell.
     std::vector<std::string> code(size_t row, size_t column) const;
-    /// Code spans of a whole column.
+    /// Returns the code spans of a whole column.
     std::set<std::string> column(size_t index) const;
 };
 
-/// A link or picture: where it leads, as written.
+/// A link or picture with its target as written.
 struct ShownLink {
     std::string target;
     size_t line = 0;
@@ -51,7 +51,7 @@ struct Page {
     std::vector<ShownTable> tables;
     std::vector<ShownLink> links;
     std::vector<std::string> code; ///< code spans outside fences
-    std::set<std::string> anchors; ///< of its headings, as links name them
+    std::set<std::string> anchors; ///< anchors of its headings, as links name them
 };
 
 /// Reads one page of Markdown. Throws InputError when it cannot be read.
@@ -60,13 +60,14 @@ Page readPage(const std::filesystem::path& file);
 /// README.md of `folder` and every page of its app/handbook/.
 std::vector<Page> readPages(const std::filesystem::path& folder);
 
-/// A line of Markdown without its comments `<!-- ... -->`.
+/// Returns a line of Markdown without its comments `<!-- ... -->`.
 std::string withoutComments(const std::string& line);
 
-/// Code spans (`...`) of a line of Markdown.
+/// Returns the code spans (`...`) of a line of Markdown.
 std::vector<std::string> codeSpans(const std::string& line);
 
-/// A sentence for each link of the pages that leads to no file or to no heading; nothing for links to the net.
+/// Returns a sentence for each link of the pages that leads to no file or to no heading. Links to the net are not
+/// checked.
 std::vector<std::string> brokenLinks(const std::vector<Page>& pages);
 
 } // namespace meltpool::test

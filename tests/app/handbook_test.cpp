@@ -1,4 +1,4 @@
-// README and handbook tell the truth: their commands run, their files are read, their names and links exist.
+// Correctness of README and handbook: their commands run, their files are read, their names and links exist.
 #include "app/bench/bench.hpp"
 #include "core/base/text.hpp"
 #include "core/training/judging/acceptance.hpp"
@@ -33,7 +33,7 @@ namespace {
 namespace fs = std::filesystem;
 using Names = std::set<std::string>;
 
-/// The most words of a page, table bars and links among them, comments left out.
+/// Limit of words for each page, with table bars and links, without comments.
 const std::map<std::string, size_t> kMostWords{
     {"README.md", 500},        {"hello.md", 500},         {"user-guide.md", 3000},    {"command-line.md", 2500},
     {"file-formats.md", 5000}, {"architecture.md", 1800}, {"the-metal.md", 3000},     {"performance.md", 900},
@@ -56,7 +56,7 @@ std::vector<ShownCommand> allCommands() {
     return all;
 }
 
-/// Tables whose first head, or whose head at `column`, begins with `head`.
+/// Returns the tables whose head at `column` (the first by default) begins with `head`.
 std::vector<ShownTable> tablesOf(const std::string& head, size_t column = 0) {
     std::vector<ShownTable> found;
     for (const Page& page : pages())
@@ -78,7 +78,7 @@ Names without(const Names& from, const Names& other) {
     return rest;
 }
 
-/// A folder in which the pages' relative paths lead where they do at the root of the source tree.
+/// Makes a folder in which the pages' relative paths lead to the files of the source tree's root.
 fs::path workingFolder() {
     const fs::path folder = scratchFolder("handbook");
     for (const char* name : {"app", "tests"})
@@ -86,8 +86,8 @@ fs::path workingFolder() {
     return folder;
 }
 
-/// The arguments that are run for those that a page shows. Words in capitals stand for something: a case, a folder. A
-/// run is shortened to kShortRun and its pictures are small; nothing else is changed.
+/// Returns the arguments to run for those that a page shows. Words in capitals are placeholders for a case or a folder.
+/// A run is shortened to kShortRun and its pictures are small; other arguments are unchanged.
 std::string runnable(std::string arguments) {
     const std::vector<std::pair<std::string, std::string>> kStandFor{
         {"COMMAND", "run"},
@@ -112,7 +112,7 @@ Names keysOf(const std::string& lessonName, bool withChoices) {
     return names;
 }
 
-/// Every key of an object and of the objects in it.
+/// Adds every key of an object and of its nested objects.
 void addKeys(const nlohmann::json& json, Names& names) {
     if (json.is_object())
         for (const auto& [key, value] : json.items()) {
@@ -128,7 +128,7 @@ Names commaNames(std::string_view text) {
     return names;
 }
 
-/// The section of a result in which nothing is left out.
+/// Returns the complete section of a result.
 nlohmann::json wholeSection(const fs::path& file) {
     ResultContext context;
     WeldSection& section = context.section.emplace();
@@ -197,7 +197,7 @@ TEST_CASE("the handbook's links and pictures exist", "[app][handbook]") {
             shown.insert(fs::path(link.target.substr(0, link.target.find('#'))).filename().string());
     for (const auto& entry : fs::directory_iterator(sourceFolder() / "app" / "handbook")) {
         INFO(entry.path());
-        CHECK(shown.contains(entry.path().filename().string())); // no page and no picture that nobody reaches
+        CHECK(shown.contains(entry.path().filename().string())); // every page and picture is reached
     }
 }
 
@@ -305,7 +305,8 @@ TEST_CASE("files that the handbook shows are read", "[app][handbook]") {
 TEST_CASE("poses that the handbook shows hold the torch as they say", "[app][handbook]") {
     const auto tables = tablesOf("pose of a torch");
     REQUIRE(tables.size() == 1);
-    const std::array<std::pair<double, double>, 4> kAngles{{{90, 0}, {90, 10}, {90, -10}, {45, 0}}}; // work, travel
+    const std::array<std::pair<double, double>, 4> kAngles{
+        {{90, 0}, {90, 10}, {90, -10}, {45, 0}}}; // work angle, travel angle
     REQUIRE(tables[0].rows.size() == kAngles.size());
     for (size_t row = 0; row < kAngles.size(); ++row) {
         const std::string cells = tables[0].code(row, 1).at(0);
@@ -431,18 +432,18 @@ TEST_CASE("the handbook names what the program writes", "[app][handbook]") {
         columns.emplace(column);
     CHECK(told("columns of a torch path").column(0) == columns);
 
-    // A weld whose pictures cut it: the run with everything in its result.
+    // A weld whose pictures show the cut fills in the whole result.
     const fs::path folder = scratchFolder("handbook-run");
     REQUIRE(
         runMeltpool("run gmaw-bead --seconds 0.05 --pictures 0 --size 64x36 --out '" + folder.string() + "'").code ==
         0);
     const TorchRecording record = readTorchCsv(folder / "telemetry.csv");
     Names further(record.furtherColumns.begin(), record.furtherColumns.end());
-    further.insert("real_time"); // of attempts that a person made
+    further.insert("real_time"); // only in results of a person's attempt
     CHECK(told("columns of telemetry.csv").column(0) == further);
     const auto result = nlohmann::json::parse(readTextFile(folder / "result.json"));
     Names section, top{"error",    "recorded",   "attempt",   "what_if",       "arc",
-                       "warnings", "torch_form", "simulated", "simulated_text"}; // not of every run
+                       "warnings", "torch_form", "simulated", "simulated_text"}; // not in every run
     addKeys(result.at("section"), section);
     addKeys(wholeSection(folder / "section.json"), section);
     for (const auto& [key, value] : result.items())
@@ -452,7 +453,7 @@ TEST_CASE("the handbook names what the program writes", "[app][handbook]") {
     const ShownTable entries = told("entries of section");
     Names shown = entries.column(0);
     CHECK(joined(without(shown, section)) == "");
-    shown.merge(entries.column(1)); // of the boxes
+    shown.merge(entries.column(1)); // names of the boxes
     CHECK(joined(without(section, shown)) == "");
 
     Names bench;

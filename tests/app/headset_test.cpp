@@ -1,4 +1,4 @@
-// The headset's workshop, held torch and visor: geometry and time without a runtime.
+// The headset's workshop, held torch and visor: geometry and time without an OpenXR runtime.
 #include "app/headset/tip_measuring.hpp"
 #include "app/headset/torch_selector.hpp"
 #include "app/headset/tracked_torch.hpp"
@@ -39,7 +39,7 @@ TEST_CASE("recentre brings the workpiece in front of the eyes and keeps the worl
     const xr::Pose seen = workshop.toWorkshop(head);
     CHECK(glm::distance(seen.position, glm::vec3(0, 1.7f, Workshop::kReach)) < 1e-4f);
     const glm::vec3 forward = seen.forward();
-    CHECK(std::abs(forward.x) < 1e-4f); // the head looks along -z, only up or down as it did
+    CHECK(std::abs(forward.x) < 1e-4f); // the head looks along -z, with its former pitch
     CHECK(forward.z < 0);
     CHECK(forward.y == Approx(std::sin(pitch)).margin(1e-4));
     const glm::vec3 up = workshop.toWorkshop(xr::Pose{}).orientation * glm::vec3(0, 1, 0);
@@ -81,11 +81,11 @@ TEST_CASE("the hand holds the lesson's torch at its tip, and table, machine and 
     hands.tip.position = {0.1f, 1.0f, 0.1f};
     hands.grip.position = {0.05f, 1.15f, 0.2f};
     const size_t plain = scene.build(parameters, hands).size();
-    CHECK(plain > 15); // with the table
+    CHECK(plain > 15); // includes the table
     CHECK(scene.fittings().empty());
     hands.process = &process;
     const std::span<const Solid> torch = scene.build(parameters, hands);
-    CHECK(torch.size() < 10); // the first of them throw shadows and are mirrored
+    CHECK(torch.size() < 10); // the first solids throw shadows and are mirrored
     const glm::vec3 wireEnd = torch.front().toWorld * glm::vec4(0, 0, -0.5f, 1);
     CHECK(glm::distance(wireEnd, hands.tip.position) < 1e-5f);
     REQUIRE(scene.fittings().size() > 15);
@@ -100,7 +100,7 @@ TEST_CASE("the hand holds the lesson's torch at its tip, and table, machine and 
     scene.build(parameters, hands);
     CHECK(scene.furniture().size() == standing + 2);
     hands.holders = {};
-    process.choose<Flame>(); // without a machine
+    process.choose<Flame>(); // no machine
     scene.build(parameters, hands);
     CHECK(scene.furniture().size() < standing);
 }
@@ -119,10 +119,10 @@ TEST_CASE("a workpiece in position is turned in the workshop, and the torch back
         const WorkpiecePlace place(parameters.tableHeight, 2.0f, -0.03f, held);
         const glm::vec3 point(0.01f, 0.02f, -0.03f);
         CHECK(glm::distance(place.toWorkpiece(place.toWorkshop(point)), point) < 1e-6f);
-        // A drop falls where the metal falls: down in the workshop is along gravity in the workpiece's frame.
+        // A drop falls with the metal: down in the workshop is gravity's direction in the workpiece's frame.
         const glm::vec3 fallen = place.toWorkshop(point + 0.01f * held.down());
         CHECK(glm::distance(fallen, place.toWorkshop(point) - glm::vec3(0, 0.02f, 0)) < 1e-6f);
-        // The scene's model is turned already.
+        // The scene's model already has this rotation.
         const glm::mat4 turned = glm::mat4(held.turn);
         const glm::vec4 drawn = place.modelToWorkshop(1.0f) * turned * glm::vec4(point, 1.0f);
         CHECK(glm::distance(glm::vec3(drawn), place.toWorkshop(point)) < 1e-6f);
@@ -166,7 +166,7 @@ TEST_CASE("losing the hand puts the arc out at once, and its return draws no lin
     CHECK(torch.next(place, 0, 1).trigger == 0.0f);
     CHECK(torch.tip().position == last);
     torch.update(handAt({0.5f, 1, 0}), {}, workshop, 0.02);
-    CHECK(torch.trigger() == 0.0f); // it has not been let go
+    CHECK(torch.trigger() == 0.0f); // the trigger has not been released
     CHECK(place.toWorkshop(torch.next(place, 0, 2).tip).x == Approx(0.5f).margin(1e-5));
     CHECK(torch.velocity() == glm::vec3(0.0f));
 }
@@ -198,7 +198,7 @@ TEST_CASE("the visor is a filter of its shade where metal shines, and dims where
     Visor visor;
     LookParameters clear;
     visor.wear(parameters, true, clear);
-    CHECK(clear.visorShade == 3.0f); // its light state
+    CHECK(clear.visorShade == 3.0f); // the filter's light state
     CHECK(clear.exposure == 1.0f);
     visor.update(true, 0.011);
     visor.update(parameters, {100, 1e-3, true, {0, 0, -1}}, {}, 0.011);
@@ -266,7 +266,7 @@ TEST_CASE("a tracker that is wanted holds the torch as soon as it is seen, and n
     hand.trigger = 0;
     selector.update(true, hand, trackers, kTick);
     trackers[1].trigger = 0.6f; // a switch on its pins
-    trackers[0].tracked = true; // a better role appears: the one in use stays
+    trackers[0].tracked = true; // a better role appears, but the current one remains
     selector.update(true, hand, trackers, kTick);
     CHECK(selector.torch().trigger == 0.6f);
     CHECK(selector.tracker() == 1);
@@ -302,7 +302,7 @@ TEST_CASE("a tracker out of sight puts the arc out at once, and gives the torch 
     frame(TorchSelector::kPatience);
     CHECK(selector.holder() == TorchHolder::hand);
     CHECK(torch.tip().position.x == Approx(0));
-    CHECK(torch.velocity() == glm::vec3(0.0f)); // no way is drawn from the tracker to the hand
+    CHECK(torch.velocity() == glm::vec3(0.0f)); // the motion from the tracker to the hand has no velocity
     CHECK(torch.trigger() == 0.0f);
     CHECK_THAT(std::string(selector.warning()), test::containsText("the controller is the torch"));
     hand.trigger = 0;
@@ -342,12 +342,12 @@ TEST_CASE("measuring finds tip and direction of a torch on whatever holds it, an
                             glm::angleAxis(0.6f * std::sin(t), glm::vec3(0, 0, 1));
         return xr::Pose{q, point - q * offset};
     };
-    // The hand that pressed the button comes to the dent only after three seconds.
+    // The hand that pressed the button reaches the dent only after three seconds.
     const auto late = [&](double time) { return time < 3 ? xr::Pose{{1, 0, 0, 0}, {1, 1, 1}} : swing(time); };
     CHECK(run(TipMeasuring::Task::pivot, late) == Approx(17).margin(0.1));
     CHECK_THAT(measuring.report(), test::containsText("was found"));
     CHECK(glm::distance(xr::readCalibration(file).offset, offset) < 1e-4f);
-    // Stood up only after three seconds; then its -y points down.
+    // The torch stands upright only after three seconds; then its -y points down.
     const auto stand = [&](double time) {
         return xr::Pose{glm::angleAxis(time < 3 ? 1.0f : 0.0f, glm::vec3(1, 0, 0)), {0, 1, 0}};
     };
@@ -359,7 +359,7 @@ TEST_CASE("measuring finds tip and direction of a torch on whatever holds it, an
     CHECK(run(TipMeasuring::Task::pivot, swing) == Approx(35).margin(1.1));
     CHECK_THAT(measuring.report(), test::containsText("not found"));
     CHECK(glm::distance(calibration.tip().offset, offset) < 1e-4f);
-    CalibrationFile other(file); // of a second program, which finds another place and keeps its old direction
+    CalibrationFile other(file); // another program finds another place but leaves the old direction
     xr::TipCalibration elsewhere = other.tip();
     elsewhere.offset.x += 0.01f;
     xr::TipCalibration turned = calibration.tip();
@@ -369,5 +369,5 @@ TEST_CASE("measuring finds tip and direction of a torch on whatever holds it, an
     CHECK(xr::readCalibration(file).offset == elsewhere.offset);
     CHECK(glm::distance(other.tip().orientation * glm::vec3(0, 0, -1), glm::vec3(0, 0, 1)) < 1e-4f);
     CHECK(calibration.keep(kept).empty());
-    CHECK(glm::distance(xr::readCalibration(file).offset, elsewhere.offset) < 1e-6f); // not measured by this one
+    CHECK(glm::distance(xr::readCalibration(file).offset, elsewhere.offset) < 1e-6f); // not measured by this program
 }

@@ -1,4 +1,4 @@
-// The torch in the hand: what moves it otherwise than a hand does puts the arc out first.
+// The torch in the hand: movements that no hand makes extinguish the arc first.
 #include "app/headset/tracked_torch.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
@@ -37,8 +37,8 @@ struct TrackedWeld {
             frame(handAt({0.001f * float(i), 1, 0}, 1));
         REQUIRE(samples.back().trigger == 1.0f);
     }
-    /// The arc never burns between two steps that no hand connects, stays out with the trigger pulled at `then`, and
-    /// strikes again once it was let go.
+    /// Checks that the arc never burns between two steps that no hand motion connects, remains out with the trigger
+    /// pulled at `then`, and strikes again after the trigger's release.
     void checkOutUntilLetGo(const glm::vec3& then) {
         for (int i = 0; i < 4; ++i)
             frame(handAt(then, 1));
@@ -50,7 +50,7 @@ struct TrackedWeld {
             const float limit = TrackedTorch::kFastestHand * float(kFrame) / 2;
             INFO("step " << i);
             CHECK((!burns || glm::distance(samples[i - 1].tip, samples[i].tip) < limit));
-            // Either end of a jump, never a place on the way.
+            // Each sample is at either end of a jump, never between them.
             CHECK((glm::distance(samples[i].tip, samples[i - 1].tip) < limit ||
                    glm::distance(samples[i].tip, there) < 1e-5f));
         }
@@ -74,7 +74,7 @@ TEST_CASE("a recentre puts the arc out before the torch is elsewhere", "[app]") 
     const glm::vec3 there = weld.place.toWorkpiece(weld.torch.tip().position);
     CHECK(glm::distance(weld.samples.back().tip, there) < 1e-5f);
     CHECK(glm::distance(weld.samples[7].tip, there) > 0.1f);
-    CHECK(weld.samples[8].tip == weld.samples[7].tip); // out where it burnt
+    CHECK(weld.samples[8].tip == weld.samples[7].tip); // the arc ended where it burned
     CHECK(weld.samples[8].trigger == 0.0f);
     for (size_t i = 9; i < weld.samples.size(); ++i) {
         CHECK(glm::distance(weld.samples[i].tip, there) < 1e-5f);
@@ -107,7 +107,7 @@ TEST_CASE("a jump that no hand makes puts the arc out, a fast hand does not", "[
         weld.frame(handAt({0.002f, 1, 0}, 0));
         weld.frame(handAt({0.4f, 1, 0}, 1));
         CHECK(weld.samples.back().trigger == 1.0f);
-        CHECK(weld.samples[weld.samples.size() - 2].tip.x == Approx(0.4f)); // no step between
+        CHECK(weld.samples[weld.samples.size() - 2].tip.x == Approx(0.4f)); // no intermediate step
     }
 }
 

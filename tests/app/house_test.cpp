@@ -1,4 +1,4 @@
-// The table of folders in the handbook is the order of the tree; tests/house checks what does not need the table.
+// The handbook's table of folders against the includes of the tree; tests/house checks the rules that need no table.
 #include "core/base/text.hpp"
 #include "tests/app/handbook.hpp"
 #include "tests/support/catch.hpp"
@@ -21,7 +21,7 @@ struct Include {
     std::string file, included;
 };
 
-/// Every include of core, xr and app by another folder.
+/// Returns every include of core, xr and app by another folder.
 std::vector<Include> readIncludes() {
     static const std::regex kInclude("#include \"((?:core|xr|app|shaders|tests)/[^\"]*)\"");
     std::vector<Include> includes;
@@ -40,7 +40,7 @@ std::vector<Include> readIncludes() {
     return includes;
 }
 
-/// The folders of the handbook's table, from the top down.
+/// Returns the folders of the handbook's table, from the top down.
 std::vector<std::string> tableOfFolders() {
     for (const ShownTable& table : readPage(sourceFolder() / "app/handbook/architecture.md").tables)
         if (table.heads.front() == "folder") {
@@ -52,7 +52,8 @@ std::vector<std::string> tableOfFolders() {
     return {};
 }
 
-/// The row of the table for a folder: its own, or that of the nearest folder around it; the table's size for none.
+/// Returns the row of the table for a folder: its own, or that of the nearest parent folder; the table's size if none
+/// matches.
 size_t rowOf(const std::vector<std::string>& table, const std::string& folder) {
     size_t best = table.size();
     for (size_t row = 0; row < table.size(); ++row)
@@ -73,7 +74,7 @@ TEST_CASE("includes lead down the handbook's table of folders", "[app][house]") 
     const std::vector<Include> includes = readIncludes();
     CHECK(includes.size() > 200);
     for (const Include& include : includes) {
-        if (include.from == "app/") continue; // main.cpp stands above the table
+        if (include.from == "app/") continue; // main.cpp is above the table
         INFO(include.file << " includes " << include.included);
         REQUIRE(rowOf(table, include.from) < table.size());
         REQUIRE(rowOf(table, include.to) < table.size());

@@ -1,4 +1,4 @@
-// The installed program and the Debian package run from anywhere, without the source tree.
+// The installed program and the Debian package, run from anywhere without the source tree.
 #include "core/base/text.hpp"
 #include "tests/app/handbook.hpp"
 #include "tests/app/program.hpp"
@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// True when the shell command succeeds; its output stays out of the test's.
+/// Returns true if the shell command succeeds; its output is hidden.
 bool succeeds(const std::string& command) {
     return std::system((command + " >/dev/null 2>&1").c_str()) == 0;
 }
@@ -40,7 +40,7 @@ void checkRuns(const fs::path& program) {
     CHECK(fs::exists(folder / "result.json"));
 }
 
-/// The manual page and the completion scripts lie where man and the shells look for them.
+/// Checks that the manual page and the completion scripts are where man and the shells look for them.
 void checkDocuments(const fs::path& share) {
     CHECK(succeeds("man -l '" + share.string() + "'/man/man1/meltpool.1* | grep -q 'meltpool run'"));
     for (const char* script : {"bash-completion/completions/meltpool", "fish/vendor_completions.d/meltpool.fish"}) {
@@ -51,7 +51,7 @@ void checkDocuments(const fs::path& share) {
            fs::exists(share / "zsh" / "site-functions" / "_meltpool")));
 }
 
-/// The installed README and handbook have their pages and pictures beside them.
+/// Checks that the installed README and handbook have their pages and pictures.
 void checkHandbook(const fs::path& documents) {
     const auto pages = test::readPages(documents);
     CHECK(pages.size() >= 8);
@@ -59,7 +59,7 @@ void checkHandbook(const fs::path& documents) {
         FAIL_CHECK(broken);
 }
 
-/// The menu entry starts the installed program so that its errors are seen, and its icon is there.
+/// Checks that the menu entry starts the installed program with visible errors, and that its icon exists.
 void checkMenuEntry(const fs::path& prefix) {
     const fs::path entry = prefix / "share" / "applications" / "meltpool.desktop";
     const std::string text = readTextFile(entry);
@@ -69,7 +69,7 @@ void checkMenuEntry(const fs::path& prefix) {
     for (const char* icon : {"scalable/apps/meltpool.svg", "48x48/apps/meltpool.png"})
         CHECK(fs::file_size(prefix / "share" / "icons" / "hicolor" / icon) > 500);
     if (succeeds("command -v desktop-file-validate")) CHECK(succeeds("desktop-file-validate '" + entry.string() + "'"));
-    // The option is one of the program.
+    // The option belongs to the program.
     CHECK(runMeltpool("--error-window --version", "cd /", prefix / "bin" / "meltpool").code == 0);
 }
 
@@ -85,7 +85,7 @@ TEST_CASE("the installed program runs from anywhere", "[app]") {
 }
 
 TEST_CASE("the Debian package holds a program that runs", "[app]") {
-    if (!succeeds("command -v dpkg-deb")) return; // not a Debian
+    if (!succeeds("command -v dpkg-deb")) return; // not a Debian system
     const fs::path folder = test::scratchFolder("package");
     REQUIRE(succeeds("cpack -G DEB --config '" + test::buildFolder().string() + "/CPackConfig.cmake' -B '" +
                      folder.string() + "'"));
@@ -96,7 +96,7 @@ TEST_CASE("the Debian package holds a program that runs", "[app]") {
     const fs::path documents = folder / "root" / "usr" / "share" / "doc" / "meltpool";
     checkHandbook(documents);
     checkDocuments(folder / "root" / "usr" / "share");
-    if (!fs::exists("/usr/share/doc/libimgui-dev/copyright")) return; // not every machine keeps them
+    if (!fs::exists("/usr/share/doc/libimgui-dev/copyright")) return; // some machines do not install them
     const std::string notices = readTextFile(documents / "licences.txt");
     for (const char* linked : {"libimgui-dev", "libglm-dev", "libcli11-dev", "nlohmann-json3-dev"})
         CHECK_THAT(notices, containsText(std::string("======== ") + linked));

@@ -1,4 +1,4 @@
-// The words of the result panel, from judgements that are put together here.
+// The result panel's words for synthetic judgements.
 #include "app/activities/judgement_rows.hpp"
 #include "tests/support/catch.hpp"
 

@@ -1,4 +1,4 @@
-// Runs that are killed or asked to stop at any moment: what they leave is whole and tells what happened.
+// Runs that are killed or asked to stop at any moment: their files are whole and say how the run ended.
 #include "app/platform/stop_signals.hpp"
 #include "core/base/image.hpp"
 #include "core/base/text.hpp"
@@ -31,13 +31,13 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 using Milliseconds = std::chrono::milliseconds;
 
-constexpr int kKilled = 128; ///< more than this: the number of the signal that ended it
+constexpr int kKilled = 128; ///< exit codes above it contain the number of the fatal signal
 
-/// Runs `work` in a process of its own, sends it the signals, each after its time, and answers how it ended.
+/// Runs `work` in its own process, sends each signal after its time, and returns how the process ended.
 int endOf(const std::function<void()>& work, const std::vector<std::pair<Milliseconds, int>>& signals) {
     const pid_t child = fork();
     if (child == 0) {
-        std::signal(SIGHUP, SIG_DFL); // the tests may run under nohup, which children inherit
+        std::signal(SIGHUP, SIG_DFL); // tests may run under nohup, which children inherit
         work();
         _exit(99);
     }
@@ -67,7 +67,7 @@ std::vector<std::string> runInto(const fs::path& folder) {
             "particles=512", "--pictures", "0.1",    "--seconds", "3600",  "--out",    folder.string()};
 }
 
-/// The time of the last picture, s, all of which must be whole; 0 without any.
+/// Returns the time of the last picture, s, and checks that all pictures are whole; 0 without any.
 double lastPicture(const fs::path& folder) {
     double last = 0;
     for (const auto& entry : fs::directory_iterator(folder)) {
@@ -82,7 +82,7 @@ double lastPicture(const fs::path& folder) {
 void checkWhatIsLeft(const fs::path& folder, int signal, int code) {
     CHECK(code == (signal == SIGKILL ? kKilled + SIGKILL : 1));
     if (!fs::exists(folder / "result.json")) {
-        CHECK_FALSE(fs::exists(folder / "telemetry.csv")); // it ended before it began
+        CHECK_FALSE(fs::exists(folder / "telemetry.csv")); // the run ended before its start
         return;
     }
     const Json result = Json::parse(readTextFile(folder / "result.json"));
@@ -93,7 +93,7 @@ void checkWhatIsLeft(const fs::path& folder, int signal, int code) {
     if (record.empty()) return;
     CHECK(record.back() == '\n');
     const double pictured = lastPicture(folder);
-    if (pictured == 0) return; // no step may have been made
+    if (pictured == 0) return; // the run may have made no step
     const TorchRecording rows = readTorchCsv(folder / "telemetry.csv");
     CHECK(rows.samples.back().time >= pictured - 0.2);
     if (result.contains("steps")) CHECK(rows.samples.size() == result.at("steps").get<size_t>());
@@ -108,7 +108,7 @@ void killRuns(int count, unsigned seed) {
         const Milliseconds moment(random() % 3000);
         INFO("signal " << signal << " after " << moment.count() << " ms");
         const int code = endOf([&] { runProgramQuietly(runInto(folder)); }, {{moment, signal}});
-        // Before the program listens, a signal ends it in the system's own way.
+        // Before the program installs its handler, a signal ends it in the system's own way.
         const bool listened = fs::exists(folder / "result.json");
         checkWhatIsLeft(folder, signal, listened || signal == SIGKILL ? code : 1);
     }
@@ -126,20 +126,20 @@ TEST_CASE("fifty kills at random moments", "[app][long]") {
 
 namespace {
 
-/// Far beyond what anything here takes on a busy machine: only a hang gets there.
+/// Longer than any step takes on a busy machine; only a hang reaches it.
 constexpr Milliseconds kPatience(300'000);
 
-/// A process of its own that talks with the test: a byte each for what it has come to, and for what it shall do. No
-/// time has to be guessed that it takes.
+/// A child process that exchanges bytes with the test, one for each state it reaches and one for each command. No
+/// waiting time is guessed.
 class TalkingChild {
   public:
-    /// `work` gets the child's ends: where it tells, and where it listens.
+    /// `work` gets the child's ends of the pipes: one to write, one to read.
     explicit TalkingChild(const std::function<void(int tell, int listen)>& work) {
         REQUIRE(pipe(told_.data()) == 0);
         REQUIRE(pipe(said_.data()) == 0);
         child_ = fork();
         if (child_ != 0) return;
-        std::signal(SIGHUP, SIG_DFL); // the tests may run under nohup, which children inherit
+        std::signal(SIGHUP, SIG_DFL); // tests may run under nohup, which children inherit
         work(told_[1], said_[0]);
         _exit(99);
     }
@@ -154,7 +154,7 @@ class TalkingChild {
     TalkingChild(const TalkingChild&) = delete;
     TalkingChild& operator=(const TalkingChild&) = delete;
 
-    /// Waits for the child's next byte.
+    /// Waits for the child's next byte; false at the pipe's end.
     bool hear() const {
         pollfd end{told_[0], POLLIN, 0};
         char byte = 0;
@@ -162,7 +162,7 @@ class TalkingChild {
     }
     void signal(int number) const { kill(child_, number); }
     void say() const { CHECK(write(said_[1], "x", 1) == 1); }
-    /// Waits until it has ended; how it did. One that does not is killed.
+    /// Waits for the child's end and returns its status. Kills a child that does not end.
     int end() {
         int status = 0;
         ended_ = true;
@@ -179,7 +179,7 @@ class TalkingChild {
     bool ended_ = false;
 };
 
-/// Tells when it listens to signals and when it was asked, and ends when it is told to: 42 when it was asked, else 43.
+/// Reports when it handles signals and when a stop was requested, then ends on command: 42 after a request, else 43.
 void waitForEnd(int tell, int listen) {
     const StopSignals signals;
     bool told = false;
@@ -194,17 +194,18 @@ void waitForEnd(int tell, int listen) {
     }
 }
 
-/// How that process ends that is asked by such a signal, and once more after half a second where `again`.
+/// Returns how this process ends after the signal; with `again` the signal comes once more after half a second.
 int endOfAsked(int signal, bool again) {
     TalkingChild child(waitForEnd);
-    REQUIRE(child.hear()); // it listens
+    REQUIRE(child.hear()); // the handler is installed
     child.signal(signal);
-    REQUIRE(child.hear()); // it was asked
+    REQUIRE(child.hear()); // the stop was requested
     if (again) {
-        std::this_thread::sleep_for(Milliseconds(500)); // sooner it is the same wish from somewhere else
+        std::this_thread::sleep_for(
+            Milliseconds(500)); // within this time a second signal counts as a copy of the first
         child.signal(signal);
     }
-    if (!again || signal != SIGINT) child.say(); // a pending signal comes before it can read this
+    if (!again || signal != SIGINT) child.say(); // a pending signal comes before the child can read this
     return child.end();
 }
 
@@ -240,7 +241,7 @@ TEST_CASE("what does not come to its next step is ended after its last words, wh
         child.signal(SIGTERM);
         return child.end();
     };
-    // Once of five times a busy machine lets the child grant its stop before its time is over.
+    // One of five tries suffices: on a busy machine the child may run out of time before it grants its stop.
     int granted = -1;
     for (int attempt = 0; attempt < 5 && granted != 42; ++attempt)
         granted = end(true);
@@ -274,15 +275,15 @@ TEST_CASE("Ctrl-C ends a run in the middle of a step of minutes and its result s
 
 namespace {
 
-/// What a command that keeps its JSON after each case or row left when signals ended it.
+/// State that a command with a JSON after each case or row leaves when signals end it.
 struct Interrupted {
     int code = -1;
     Json json;
-    std::string words; ///< all that it said
+    std::string words; ///< its whole output
 };
 
-/// Sends the signals `after` it said `firstWords`, each 400 ms after it has answered the one before. `list`: of the
-/// cases or rows in the JSON.
+/// Sends the signals `after` the output contains `firstWords`, each 400 ms after the answer to the one before. `list`
+/// names the cases or rows in the JSON.
 Interrupted interrupt(std::vector<std::string> command, const std::string& list, const std::string& firstWords,
                       const std::vector<int>& signals, Milliseconds after = Milliseconds(0)) {
     const fs::path folder = test::scratchFolder("interrupted");
@@ -328,7 +329,7 @@ std::string caseFile(const std::string& name) {
 
 TEST_CASE("validate that is asked to stop ends after its case with what it had", "[app]") {
     const std::string quick = caseFile("conduction_step");
-    constexpr size_t kCases = 60; // more than it comes to while this test stands still
+    constexpr size_t kCases = 60; // more cases than finish while this test is suspended
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         std::vector<std::string> command{"validate"};
         command.insert(command.end(), kCases, quick);
@@ -349,7 +350,7 @@ TEST_CASE("a second Ctrl-C ends validate in the middle of a case of minutes", "[
     const Interrupted end = interrupt({"validate", caseFile("conduction_step"), caseFile("bead_gmaw_park")}, "cases",
                                       "temperature_at_2mm_k", {SIGINT, SIGINT}, Milliseconds(2000));
     CHECK(end.code == 1);
-    CHECK(end.json.at("cases").size() == 1); // the second never came to its end
+    CHECK(end.json.at("cases").size() == 1); // the second case did not finish
     CHECK_THAT(end.words, containsText("ended at once"));
 }
 

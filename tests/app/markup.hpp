@@ -1,11 +1,12 @@
-// Whether a page's tags are as HTML wants them.
+// A check of HTML pages: every tag is closed.
 #pragma once
 
 #include <string>
 
 namespace meltpool::test {
 
-/// The name of the first tag that is not closed as HTML wants it; empty where all are. Names are in lower case here.
+/// Returns the name of the first tag that HTML requires to be closed and is not; empty if all are. Names are in lower
+/// case.
 std::string firstUnclosed(const std::string& html);
 
 } // namespace meltpool::test

@@ -1,4 +1,4 @@
-// The weld as a file: `run --mesh` from end to end, its bytes read by a reader of our own and by assimp.
+// The exported weld mesh of `run --mesh`, read by a reader in this file and by assimp.
 #include "app/export/gltf.hpp"
 #include "app/export/ply.hpp"
 #include "core/base/text.hpp"
@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-/// What a file says, in its own unit.
+/// Contents of a mesh file, in the file's own unit.
 struct ReadMesh {
     std::vector<glm::vec3> positions, normals, colours;
     std::vector<std::uint32_t> indices;
@@ -37,7 +37,7 @@ T numberAt(const std::string& bytes, size_t offset) {
     return value;
 }
 
-/// `count` vectors of three `T`, `stride` bytes apart.
+/// Reads `count` vectors of three `T`, `stride` bytes apart.
 template <class T>
 std::vector<glm::vec3> vectorsAt(const std::string& bytes, size_t offset, size_t count, size_t stride, float scale) {
     std::vector<glm::vec3> values(count);
@@ -49,7 +49,7 @@ std::vector<glm::vec3> vectorsAt(const std::string& bytes, size_t offset, size_t
     return values;
 }
 
-/// A file's document and its buffer; the first chunk is JSON, the second binary.
+/// Returns a file's document and its buffer; the first chunk is JSON, the second binary.
 std::pair<Json, std::string> splitGlb(const std::string& bytes) {
     REQUIRE(bytes.substr(0, 4) == "glTF");
     REQUIRE(numberAt<std::uint32_t>(bytes, 4) == 2);
@@ -64,7 +64,7 @@ std::pair<Json, std::string> splitGlb(const std::string& bytes) {
     return {Json::parse(bytes.substr(20, json)), bytes.substr(28 + json)};
 }
 
-/// The one mesh of a document, found by its accessors.
+/// Returns the only mesh of a document, found by its accessors.
 ReadMesh readGltf(const Json& gltf, const std::string& buffer) {
     CHECK(gltf.at("asset").at("version") == "2.0");
     CHECK(gltf.at("buffers")[0].at("byteLength").get<size_t>() <= buffer.size());
@@ -95,7 +95,7 @@ ReadMesh readGltf(const Json& gltf, const std::string& buffer) {
         low = glm::min(low, p);
         high = glm::max(high, p);
     }
-    for (int axis = 0; axis < 3; ++axis) { // to the last bit, as the specification wants
+    for (int axis = 0; axis < 3; ++axis) { // equal to the last bit, as the specification demands
         CHECK(position.at("min").at(static_cast<size_t>(axis)).get<float>() == low[axis]);
         CHECK(position.at("max").at(static_cast<size_t>(axis)).get<float>() == high[axis]);
     }
@@ -129,7 +129,7 @@ ReadMesh readPly(const std::string& bytes) {
     return solid;
 }
 
-/// Closed, with every index and number in range; answers the volume.
+/// Checks that the solid is closed and that every index and number is in range. Returns the volume.
 double checkSolid(const ReadMesh& solid) {
     std::map<std::pair<unsigned, unsigned>, int> sides;
     double volume = 0;
@@ -178,7 +178,7 @@ std::string outputOf(const std::string& command) {
     return readTextFile(kept);
 }
 
-/// Another library reads the file: vertices, faces and colours are there.
+/// Checks that another library finds vertices, faces and colours in the file.
 void checkWithAssimp(const fs::path& file, const ReadMesh& solid) {
     if (!succeeds("command -v assimp")) {
         if (std::getenv("CI") != nullptr) FAIL("assimp is missing; expected the package assimp-utils");
@@ -193,7 +193,7 @@ void checkWithAssimp(const fs::path& file, const ReadMesh& solid) {
     };
     CHECK(number("Vertices:") == solid.positions.size());
     CHECK(number("Faces:") == solid.indices.size() / 3);
-    // In a Wavefront file a vertex with a colour has six numbers.
+    // A coloured vertex of a Wavefront file has six numbers.
     const fs::path copy = test::scratchFolder("assimp-copy") / "copy.obj";
     CHECK(succeeds("assimp export '" + file.string() + "' '" + copy.string() + "'"));
     const std::string text = readTextFile(copy);
@@ -213,7 +213,7 @@ TEST_CASE("a box comes back from glTF with its numbers", "[app]") {
     CHECK(solid.indices == box.mesh.indices);
     CHECK(solid.positions[7] == glm::vec3(0.02F, 0.01F, 0.04F));
     CHECK(solid.colours[7] == glm::vec3(1, 0, 0));
-    CHECK(solid.colours[0].g == Approx(0.5).margin(1e-4)); // linear
+    CHECK(solid.colours[0].g == Approx(0.5).margin(1e-4)); // linear value
     const Json& extras = gltf.at("asset").at("extras");
     CHECK(extras.at("lesson") == "tee");
     CHECK(extras.at("date") == "2026-03-01T12:00:00Z");
@@ -235,7 +235,7 @@ TEST_CASE("a box comes back from PLY in millimetres and displayed colours", "[ap
     const ReadMesh solid = readPly(bytes);
     CHECK(checkSolid(solid) == Approx(20 * 10 * 40));
     CHECK(solid.colours[7] == glm::vec3(1, 0, 0));
-    CHECK(solid.colours[0].g == Approx(188 / 255.0).margin(1e-3)); // half of the light as sRGB
+    CHECK(solid.colours[0].g == Approx(188 / 255.0).margin(1e-3)); // half of the light in sRGB
     CHECK_THAT(bytes.substr(0, 300), containsText("comment unit mm") && containsText("lesson of two lines,"));
 }
 
@@ -253,7 +253,7 @@ TEST_CASE("another library reads both formats", "[app]") {
 
 TEST_CASE("a weld's run leaves its mesh, which another library reads", "[app]") {
     const auto folder = test::scratchFolder("mesh");
-    const fs::path file = folder / "out" / "weld.glb"; // in the folder that the run makes
+    const fs::path file = folder / "out" / "weld.glb"; // the run makes this folder
     const fs::path torch = folder / "short.toml";
     writeTextFileAtomically(torch, "start_mm = [-2, 3, 0]\n"
                                    "[[move]]\nkind = 'arc_on'\n"
@@ -267,14 +267,14 @@ TEST_CASE("a weld's run leaves its mesh, which another library reads", "[app]") 
     CHECK_THAT(outcome.output, containsText("weld.glb"));
     const auto [gltf, buffer] = splitGlb(readTextFile(file));
     const ReadMesh solid = readGltf(gltf, buffer);
-    CHECK(checkSolid(solid) * 1e9 == Approx(1920).epsilon(0.08)); // mm³, with what was deposited
+    CHECK(checkSolid(solid) * 1e9 == Approx(1920).epsilon(0.08)); // mm³, deposit included
     CHECK(gltf.at("asset").at("extras").at("lesson") == "gmaw-bead");
     glm::vec3 darkest(1), brightest(0);
     for (const glm::vec3& colour : solid.colours) {
         darkest = glm::min(darkest, colour);
         brightest = glm::max(brightest, colour);
     }
-    CHECK(brightest.r > darkest.r + 0.1F); // pool and plate
+    CHECK(brightest.r > darkest.r + 0.1F); // pool and plate differ
     checkWithAssimp(file, solid);
 }
 
@@ -314,7 +314,7 @@ TEST_CASE("a mesh that cannot be written is refused before the run, and told aft
     fs::create_directories(folder / "folder.glb");
     const test::Outcome taken = runMeltpool(quick + out + "--mesh '" + (folder / "folder.glb").string() + "'");
     CHECK(taken.code == 2);
-    // In KiB: enough for the record's rows, too little for a mesh. The picture before it is the smallest.
+    // The size in KiB is enough for the record's rows and too small for a mesh. The picture before it is the smallest.
     const test::Outcome full = runMeltpool(
         "run classic --size 16x16 --set cells=24 --set particles=2744 --set support_radius=0.1 --seconds 0.05 "
         "--pictures 0 " +

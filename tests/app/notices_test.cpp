@@ -1,4 +1,4 @@
-// What the person is told while they weld: why the arc is out, that the metal is slow, and how the headset shows it.
+// Messages during the weld: the reason of a missing arc, slow metal, and their display in the headset.
 #include "app/headset/headset_notice.hpp"
 #include "app/session/notices.hpp"
 #include "core/training/feedback/cue_shapes.hpp"
@@ -15,7 +15,7 @@ ArcState arcOf(ArcAction action, NoArc noArc = NoArc::burns) {
     ArcState arc;
     arc.action = action;
     arc.noArc = noArc;
-    arc.distance = 0.0002F; // what it is says nothing about why there is no arc
+    arc.distance = 0.0002F; // this state does not explain a missing arc
     return arc;
 }
 
@@ -32,7 +32,7 @@ TEST_CASE("why there is no arc is told as the process says it, until it burns or
     };
     const auto out = [](NoArc reason) { return arcOf(ArcAction::out, reason); };
     const auto contains = [](const char* text) { return test::containsText(text); };
-    CHECK(told(out(NoArc::tooFar)).empty()); // it may still strike
+    CHECK(told(out(NoArc::tooFar)).empty()); // the arc may still strike
     CHECK(told(arcOf(ArcAction::burning)).empty());
     CHECK_THAT(told(out(NoArc::tooLong)), contains("too long"));
     CHECK_THAT(told(out(NoArc::tooLong), 20), contains("too long"));
@@ -87,7 +87,8 @@ TEST_CASE("the headset's notice has the window's warnings, the newest last, and 
     messages.hold("three", "arc");
     messages.hold("four", "record");
     figures.slow = "metal runs at 45 % of real time";
-    messages.hold("The metal runs at 45 % of real time.", kSlowTopic); // for the window; it has its own line here
+    messages.hold("The metal runs at 45 % of real time.",
+                  kSlowTopic); // meant for the window; the headset has its own line
     notice.compose(messages, figures, 4.0f);
     CHECK(notice.warnings() == "two\nthree\nfour\nmetal runs at 45 % of real time\n");
     CHECK_THAT(std::string(notice.quiet()), test::containsText("Zoom 4"));
@@ -111,7 +112,7 @@ TEST_CASE("the notice hangs above the torch where the person looks there, else b
         return glm::degrees(std::acos(glm::dot(glm::normalize(point - head.position), head.forward())));
     };
     CHECK(glm::distance(place.pose().position, tip) < 0.2f);
-    // Its lower edge leaves the cues' board free, which stands beside the tip or higher.
+    // Its lower edge leaves the cues' board free, which is at the tip's height or above.
     const xr::PanelShape& shape = HeadsetNotice::kShape;
     const float half = shape.width * static_cast<float>(shape.heightPixels) / static_cast<float>(shape.widthPixels) / 2;
     const glm::vec3 edge = place.pose().position - place.pose().orientation * glm::vec3(0, half, 0);
@@ -119,14 +120,14 @@ TEST_CASE("the notice hangs above the torch where the person looks there, else b
     CHECK(glm::distance(edge, tip) < 0.1f);
     CHECK(place.pose().position.y > tip.y);
     CHECK(angle(place.pose().position) < 20);
-    // It faces the eyes.
+    // The panel faces the eyes.
     const glm::vec3 normal = place.pose().orientation * glm::vec3(0, 0, 1);
     CHECK(glm::dot(normal, glm::normalize(head.position - tip)) > 0.99f);
     for (int i = 0; i < 200; ++i)
         place.update(true, head, std::nullopt, 0.9f, 0.01);
     CHECK(angle(place.pose().position) < 15);
     CHECK(glm::distance(place.pose().position, head.position) == Approx(0.6).margin(0.1));
-    place.update(false, head, tip, 0.9f, 0.01); // only the zoom: on the table, before the workpiece
+    place.update(false, head, tip, 0.9f, 0.01); // only the zoom is left, on the table in front of the workpiece
     CHECK(place.pose().position.y < 1.0f);
     CHECK(place.pose().position.z > 0.1f);
 }

@@ -1,4 +1,5 @@
-// Lessons of a school and of a person on the command line: listed, run and checked by name, with their faults told.
+// Lessons of a school and of a person on the command line: listed, run and checked by name, with messages about their
+// faults.
 #include "core/base/text.hpp"
 #include "tests/app/program.hpp"
 #include "tests/support/catch.hpp"
@@ -12,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A short bead with path, metal and limits in files beside it; `more` is added to the lesson.
+/// Writes a short bead with path, metal and limits in files next to it; `more` is added to the lesson.
 void writeBead(const fs::path& folder, const std::string& name, const std::string& more = "") {
     const fs::path data = test::testFolder().parent_path() / "app" / "data";
     fs::create_directories(folder / "paths");
@@ -36,7 +37,7 @@ void writeBead(const fs::path& folder, const std::string& name, const std::strin
 
 struct Folders {
     fs::path school, own, out;
-    std::string before; ///< the environment in which the program finds both
+    std::string before; ///< environment variables that lead the program to both folders
 };
 
 Folders makeFolders(const std::string& name) {
@@ -92,7 +93,7 @@ TEST_CASE("own lessons run and are checked by name, with path, metal and limits 
     CHECK_THAT(readTextFile(folders.out / "result.json"), containsText("\"lesson\": \"my-bead\""));
     CHECK(runMeltpool("lessons my-bead", folders.before).code == 0);
 
-    // Its record finds the lesson again.
+    // The lesson is found by its record.
     const test::Outcome again =
         runMeltpool("report '" + (folders.out / "telemetry.csv").string() + "'", folders.before);
     INFO(again.errors);

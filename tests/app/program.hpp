@@ -1,4 +1,4 @@
-// Runs the real program and keeps what it said.
+// A runner of the real program that captures its output and exit code.
 #pragma once
 
 #include <filesystem>
@@ -12,17 +12,17 @@ struct Outcome {
     std::string errors; ///< standard error
 };
 
-/// Runs `meltpool ARGUMENTS` of the build through the shell (`program`: another binary) and waits for it. `before` is
-/// put in front of the command: variables, a changed folder.
+/// Runs the built `meltpool ARGUMENTS` through the shell (`program` names another binary) and waits for it. `before`
+/// precedes the command: variables, a changed folder.
 Outcome runMeltpool(const std::string& arguments, const std::string& before = "",
                     const std::filesystem::path& program = {});
 
-/// Runs it until the record `telemetry` has more than 50 rows, then asks it to stop with SIGTERM.
+/// Runs the program until the record `telemetry` has more than 50 rows, then asks it to stop with SIGTERM.
 Outcome runUntilRecorded(const std::string& arguments, const std::filesystem::path& telemetry,
                          const std::string& before = "");
 
-/// Runs `first` until the record `telemetry`, written anew by it, has more than 50 rows, then `second` beside it, then
-/// sends `first` the signal ("KILL", "TERM") and waits for its end. Answers what `second` gave.
+/// Runs `first` until its new record `telemetry` has more than 50 rows and runs `second` in parallel. Then sends
+/// `first` the signal ("KILL", "TERM") and waits for its end. Returns the outcome of `second`.
 Outcome runBeside(const std::string& first, const std::string& signal, const std::filesystem::path& telemetry,
                   const std::string& second);
 

@@ -1,5 +1,5 @@
-// Recordings of people's attempts: each attempt has one that replays to the same bits, they keep within their limit,
-// and nothing is lost in silence.
+// Recordings of people's attempts: one for each attempt, replayed to its bits, within the size limit, and no silent
+// loss.
 #include "app/library/best_kept.hpp"
 #include "app/library/kept_attempts.hpp"
 #include "app/session/lesson_session.hpp"
@@ -31,7 +31,7 @@ Lesson smallLesson() {
     return lesson;
 }
 
-/// Welds in a session whose attempts are recorded, with the flame wandering from frame to frame.
+/// Welds in a session that records its attempts, with a flame that wanders from frame to frame.
 class Welder {
   public:
     explicit Welder(const fs::path& folder) : session(shaders(), smallLesson(), [] { return 0.0; }) {
@@ -71,7 +71,7 @@ std::string hashOfRepeat(const fs::path& file) {
     return formatHexadecimal(trainer.result().stateHash);
 }
 
-/// A recording of `bytes` bytes about, with these dates in its head, the local one in its name too.
+/// Stores a recording of about `bytes` bytes with these dates in its head and the local one in its name.
 fs::path keptAt(const fs::path& folder, const std::string& date, const std::string& utc, int attempt, size_t bytes) {
     const fs::path file = recordingName(folder, date, "classic", attempt);
     AttemptHead head = recordedHead("classic");
@@ -125,7 +125,7 @@ TEST_CASE("each attempt has a recording that replays to the same bits, whatever 
     }
     CHECK(readRecordedAttempt(files[0])->ended == "reset");
     CHECK(readRecordedAttempt(files[1])->ended == "start menu");
-    // The record of the same attempt says the same.
+    // The attempt's record has equal values.
     const Recording recording = readRecording(files[0]);
     const TorchRecording rows = readTorchCsv(record);
     REQUIRE(rows.samples.size() == recording.steps.size());
@@ -138,7 +138,7 @@ TEST_CASE("each attempt has a recording that replays to the same bits, whatever 
     const auto kept = keptRecordings(folder);
     REQUIRE(kept.size() == 2);
     CHECK(kept[0].lesson == "classic");
-    CHECK(kept[0].ended == "start menu"); // the newest first
+    CHECK(kept[0].ended == "start menu"); // newest first
     CHECK(kept[0].seconds == Approx(readRecording(files[1]).seconds()));
     CHECK(kept[0].when.size() == 16);
     WARN("a recording takes " << static_cast<double>(kept[1].bytes) / kept[1].seconds * 60 / 1e6 << " MB a minute at "
@@ -161,7 +161,7 @@ TEST_CASE("the desk's camera stands in the recording as the person's head", "[ap
     CHECK(recording.people[0].steps == recording.steps.size());
     const RecordingPose head = *recording.people[0].head;
     CHECK(glm::distance(head.position, view.eye * 2.0f) < 1e-5f);
-    // What lies before the head lies before the eye.
+    // The eye looks where the head looks.
     const glm::vec3 ahead = view.eye + head.orientation * glm::vec3(0, 0, -1);
     const glm::vec4 inEye = view.worldToEye * glm::vec4(ahead, 1);
     CHECK(glm::distance(glm::vec3(inEye), glm::vec3(0, 0, -1)) < 1e-4f);
@@ -228,7 +228,7 @@ TEST_CASE("recordings keep within their limit: the oldest are removed and named,
     CHECK(fs::exists(files[2]));
     CHECK(fs::exists(own));
     CHECK_THAT(readTextFile(folder / kRemovedList), containsText(files[1].filename().string()));
-    // The newest first; the copy is of the first day.
+    // The list begins with the newest; the copy is of the first day.
     const auto kept = keptRecordings(folder);
     REQUIRE(kept.size() == 3);
     CHECK(kept[0].file == files[3]);
@@ -237,7 +237,7 @@ TEST_CASE("recordings keep within their limit: the oldest are removed and named,
     CHECK(kept[0].score == 84);
     CHECK(kept[0].verdict == "accepted");
     CHECK(keptRecordings(folder / "nowhere").empty());
-    CHECK(bestKept(folder, kept[0].lesson) == files[3]); // the newest of equal ones
+    CHECK(bestKept(folder, kept[0].lesson) == files[3]); // newest of equal ones
     CHECK(bestKept(folder, "no-such-lesson").empty());
 }
 
@@ -246,7 +246,7 @@ TEST_CASE("the order of attempts is that of their moments, whatever clock on the
     const auto keep = [&](const std::string& date, const std::string& utc) {
         return keptAt(folder, date, utc, 1, 100'000);
     };
-    // Home from the east, then the end of summer time; the first two are old recordings, without UTC.
+    // Journey home from the east, then the end of summer time; the first two are old recordings without UTC.
     const std::vector<fs::path> files{
         keep("2026-10-24T22:00:00+0900", ""),
         keep("2026-10-25T02:30:00+0200", ""),
@@ -258,7 +258,7 @@ TEST_CASE("the order of attempts is that of their moments, whatever clock on the
     for (const KeptAttempt& kept : keptRecordings(folder))
         newestFirst.push_back(kept.file);
     CHECK(newestFirst == std::vector<fs::path>(files.rbegin(), files.rend()));
-    // An old one whose date has no zone counts by when its file was written: just now.
+    // An old recording without a time zone counts by its file time, which is now.
     const fs::path undated = keep("2020-01-01T10:00:00", "");
     CHECK(keptRecordings(folder).front().file == undated);
     CHECK_THAT(nearLimit(folder, 600'000), containsText("first 2026-10-24_22-00-00_classic_1."));
@@ -275,7 +275,7 @@ TEST_CASE("an attempt of this run of the program is never removed, whatever othe
     welder.session.begin(welder.controls);
     welder.weld(2);
     const fs::path made = welder.session.log().recordings().file();
-    // From a machine whose clock is ahead: later names, and later moments.
+    // A machine whose clock is ahead gives later names and later times.
     for (const char* date : {"2099-01-01T10:00:00+0000", "2099-01-02T10:00:00+0000"})
         keptAt(folder, date, "", 1, 30'000'000);
     welder.session.log().recordings().parameters.limitMb = 50;

@@ -1,4 +1,4 @@
-// Going back fourteen times from the same moment of the shipped tee lesson: the same metal each time, and no more
+// Repeated return to one checkpoint of the shipped tee lesson: identical metal each of fourteen times, and no growth of
 // memory.
 #include "app/activities/redo.hpp"
 #include "core/training/lesson/lesson.hpp"
@@ -13,18 +13,18 @@ using namespace meltpool;
 
 namespace {
 
-constexpr double kBegun = 4;       ///< s of the metal at which one goes back
-constexpr double kFault = -0.0105; ///< m along the seam, welded some time before that
+constexpr double kBegun = 4;       ///< s of simulated time to which the attempt returns
+constexpr double kFault = -0.0105; ///< m along the seam, welded shortly before that time
 constexpr int kTimes = 14;
-constexpr int kWarmedUp = 8; ///< rounds after which all memory that is kept from one to the next is there; seven do
+constexpr int kWarmedUp = 8; ///< rounds after which all memory that later rounds reuse is allocated; seven suffice
 
-/// Welds the demonstration and keeps moments as the session does.
+/// Welds the demonstration and takes checkpoints as the session does.
 void weldTo(Trainer& trainer, Redo& redo, double time) {
     for (int step = 1; trainer.time() < time; ++step) {
         trainer.advanceDemonstration(nullptr);
         redo.update(trainer, 1);
         if (step % 10 != 0) continue;
-        (void)trainer.result(); // the GPU comes to its end, so that a moment can arrive
+        (void)trainer.result(); // waits for the GPU, so that a checkpoint can arrive
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
 }
@@ -52,7 +52,7 @@ TEST_CASE("fourteen ways back at the tee begin with the same metal and take no m
         if (i == 0) {
             start = now.stateHash;
             startSteps = now.steps;
-            CHECK(now.seconds > 1); // the arc burned already
+            CHECK(now.seconds > 1); // the arc burns by now
             CHECK(start != end);
         }
         CHECK(now.stateHash == start);
@@ -64,7 +64,7 @@ TEST_CASE("fourteen ways back at the tee begin with the same metal and take no m
     const size_t after = test::residentBytes();
     INFO(before << " bytes, then " << after);
     CHECK(redo.fault() == "");
-#ifndef __SANITIZE_ADDRESS__ // residentBytes() tells nothing there
+#ifndef __SANITIZE_ADDRESS__ // residentBytes() is meaningless there
     CHECK(before > 0);
     CHECK(static_cast<double>(after) < 1.01 * static_cast<double>(before));
 #endif

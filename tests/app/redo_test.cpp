@@ -1,5 +1,5 @@
-// Going back to an earlier moment of the attempt: the metal is as it was, the record tells both ends and repeats the
-// last one, and the attempt is practice.
+// Return to an earlier checkpoint of the attempt: the metal is restored, the record contains both branches and replays
+// the last one, and the attempt counts as practice.
 #include "app/session/lesson_session.hpp"
 #include "core/base/text.hpp"
 #include "core/training/lesson/recorded_attempt.hpp"
@@ -16,7 +16,7 @@ using namespace meltpool;
 
 namespace {
 
-/// Straight down, 3 mm over the plate, 3 mm/s.
+/// A torch that points straight down, 3 mm over the plate, at 3 mm/s.
 TorchSample torchAt(size_t step, double timeStep) {
     TorchSample torch;
     torch.tip = {-0.008F + 3e-3F * static_cast<float>(static_cast<double>(step) * timeStep), 0.003F, 0};
@@ -32,7 +32,7 @@ class Welder {
         session.log().records().use(record, "program", "driver");
     }
 
-    /// Frames of 1/45 s; in each the moment that was begun before has time to be kept.
+    /// Runs frames of 1/45 s, in each of which a pending checkpoint has time to be stored.
     void weld(int frames) {
         const TorchSource torch = [&](int step, int) {
             return torchAt(session.run().steps() + static_cast<size_t>(step), 1.0 / 90);
@@ -69,7 +69,7 @@ TEST_CASE("an attempt goes back three seconds and on to another end, which its r
         CHECK(welder.session.log().moments().redone() == 0);
         const double before = welder.session.run().torch().time;
         const size_t steps = welder.session.run().steps();
-        welder.controls.update({}, 1.0 / 45); // the lock of the lesson's begin is open
+        welder.controls.update({}, 1.0 / 45); // opens the lock at the lesson's start
         welder.session.redo(welder.controls);
         REQUIRE(welder.session.run().steps() < steps);
         CHECK(welder.session.run().torch().time <= before - Redo::kBack + 1e-6);
@@ -85,7 +85,7 @@ TEST_CASE("an attempt goes back three seconds and on to another end, which its r
     CHECK(attempt->redone == 1);
     const auto mark = std::find_if(attempt->notes.begin(), attempt->notes.end(),
                                    [](const RecordedEvent& note) { return note.name == "redo"; });
-    REQUIRE(mark != attempt->notes.end()); // of the time line of a replay
+    REQUIRE(mark != attempt->notes.end()); // note of a replay's time line
     CHECK(std::stoul(mark->value) < mark->steps);
     CHECK(attempt->stateHash == hashOfRepeat(file));
 }
@@ -96,7 +96,7 @@ TEST_CASE("one goes back before a fault by its place, and another attempt knows 
     welder.weld(200);
     CHECK_FALSE(firstTimeAt(Technique(seamOf(test::plainBead().workpiece)), 0));
     REQUIRE(welder.session.redoes());
-    welder.session.log().moments().choose(-0.002); // where the torch was after 2 s
+    welder.session.log().moments().choose(-0.002); // torch position after 2 s
     welder.session.redo(welder.controls);
     CHECK(welder.session.run().torch().time < 1.2);
     welder.session.reset(welder.controls);

@@ -1,4 +1,4 @@
-// A kept attempt in the session: it plays to the bits of its record, also after it was brought to other moments.
+// Replay of a recorded attempt in the session: it reproduces the bits of its record, also after seeks.
 #include "app/activities/attempt_lesson.hpp"
 #include "app/session/lesson_session.hpp"
 #include "app/session/notices.hpp"
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr double kFrame = 1.0 / 45;
 
-/// A weld of `seconds` on a small plate, by a torch that goes along it, as a record. The voltage changes on the way.
+/// Records a weld of `seconds` on a small plate by a torch that travels along it. The voltage changes on the way.
 fs::path recordedWeld(const std::string& name, double seconds) {
     Lesson lesson = findLesson("gmaw-bead", test::testFolder().parent_path() / "app" / "data" / "lessons");
     lesson.workpiece.lengthMm = 24;
@@ -51,15 +51,15 @@ class Viewer {
         for (int frame = 0; frame < count; ++frame)
             session.advance(controls, kFrame, nullptr, [](int, int) { return TorchSample{0, {0, 0.2f, 0}}; });
     }
-    /// Frames until it stands still; false where it never does.
+    /// Runs frames until the replay stops; returns false if it never does.
     bool untilStill() {
         const ReplayTimeline& line = session.activities().replay.line();
         for (int frame = 0; frame < 3000 && (line.playing() || line.seeking()); ++frame)
             frames(1);
         return !line.playing() && !line.seeking();
     }
-    /// Frames until so many moments are stored; false where they never are. They come from the GPU, and a thread that
-    /// may have to wait for a processor packs them.
+    /// Frames until so many checkpoints are stored; false if they never are. They come from the GPU, and a thread
+    /// that may have to wait for a processor packs them.
     bool untilMoments(size_t count) {
         const AttemptReplay& replay = session.activities().replay;
         for (int frame = 0; frame < 1000 && replay.moments() < count; ++frame) {
@@ -68,7 +68,7 @@ class Viewer {
         }
         return replay.moments() >= count;
     }
-    /// Brings it to a moment and waits until it is there.
+    /// Seeks a time and waits until the replay is there.
     void bringTo(double time) {
         session.activities().replay.line().seek(time);
         for (int frame = 0; frame < 3000 && session.activities().replay.line().seeking(); ++frame)
@@ -104,7 +104,7 @@ TEST_CASE("an attempt played again has its bits at the end, from the start and a
     REQUIRE(viewer.untilStill());
     CHECK(replay.line().over());
     CHECK(viewer.verdict() == ReplayEnd::Verdict::same);
-    CHECK(viewer.untilMoments(2)); // one each half second
+    CHECK(viewer.untilMoments(2)); // one in each half second
     CHECK(replay.distance().most() > 0);
     const size_t steps = session.run().steps();
 
@@ -133,7 +133,7 @@ TEST_CASE("an attempt played again has its bits at the end, from the start and a
         viewer.bringTo(0);
         CHECK(session.run().steps() == 0);
         viewer.bringTo(1.2);
-        CHECK_FALSE(replay.line().playing()); // as before
+        CHECK_FALSE(replay.line().playing()); // unchanged
         const size_t there = session.run().steps();
         viewer.frames(5);
         CHECK(session.run().steps() == there);
@@ -150,7 +150,7 @@ TEST_CASE("half the speed makes half the steps", "[app]") {
     Viewer viewer;
     viewer.session.openReplay(lessonOfAttempt(file), viewer.controls);
     viewer.session.activities().replay.line().setSpeed(0.5);
-    viewer.frames(24); // the first only starts the clock
+    viewer.frames(24); // the first frame only starts the clock
     CHECK(viewer.session.activities().replay.line().time() == Approx(23 * kFrame / 2).margin(0.02));
     CHECK(viewer.session.activities().replay.line().speed() * viewer.session.run().clock().speed() ==
           Approx(0.5).margin(0.05));

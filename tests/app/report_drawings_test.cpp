@@ -1,4 +1,4 @@
-// The drawings of an attempt's page: curves, strip of the seam and section, point by point.
+// The drawings of an attempt's page: curves, strip of the seam and section, with their coordinates.
 #include "app/report/curve_drawing.hpp"
 #include "app/report/seam_strip.hpp"
 #include "app/report/section_drawing.hpp"
@@ -67,7 +67,7 @@ TEST_CASE("a curve's points lie where its values are, broken where nothing is kn
     CHECK_THAT(svg, containsText("<polyline class=\"curve\" points=\"36.0,62.2 105.5,55.2\"/>"));
     CHECK_THAT(svg, containsText("<polyline class=\"curve\" points=\"244.5,62.2 314.0,17.0\"/>"));
     CHECK(countOf(svg, "<polyline") == 2);
-    // The band from 5 to 6.
+    // The band reaches from 5 to 6.
     CHECK_THAT(svg, containsText("<rect class=\"inner\" x=\"36.0\" y=\"55.2\" width=\"278.0\" height=\"7.0\"/>"));
 }
 
@@ -83,7 +83,7 @@ TEST_CASE("a curve tells its values in mm and in inches", "[app]") {
 
 TEST_CASE("a place without arc is not bridged, a single point is seen, and nothing is nothing", "[app]") {
     Curve curve{"aim", "mm", {0, 1, 5, 6, 9}, {1, 1, 2, 2, 1}, {}};
-    CHECK(countOf(curveDrawing(curve), "<polyline") == 3); // 0 to 1, 5 to 6, and 9 alone
+    CHECK(countOf(curveDrawing(curve), "<polyline") == 3); // 0 to 1, 5 to 6, and the single point 9
     curve.values.assign(5, NAN);
     CHECK(curveDrawing(curve).empty());
     curve.values.clear();
@@ -95,7 +95,7 @@ TEST_CASE("imperfections stand at their places on the strip, with letters and ha
     CHECK(markLetter(25) == "Z");
     CHECK(markLetter(26) == "AA");
     CHECK(stripX(15, 0, 60) == Approx(170));
-    CHECK(stripX(-5, 0, 60) == Approx(20)); // before the seam: at its end
+    CHECK(stripX(-5, 0, 60) == Approx(20)); // a place before the seam is drawn at its end
     CHECK(seamStrip(3, 3, {}).empty());
     const std::string svg = seamStrip(0, 60, {{"A", true, 15, {{10, 20}}}, {"B", false, 15.5, {}}});
     CHECK(firstUnclosed(svg) == "");
@@ -103,7 +103,7 @@ TEST_CASE("imperfections stand at their places on the strip, with letters and ha
     CHECK(countOf(svg, "class=\"hatch\"") == 20);
     CHECK_THAT(svg, containsText("class=\"mark-fail\" x1=\"170.0\"") && containsText("class=\"mark-other\""));
     CHECK_THAT(svg, containsText("y=\"29.0\" text-anchor=\"middle\">A</text>"));
-    CHECK_THAT(svg, containsText("y=\"19.0\" text-anchor=\"middle\">B</text>")); // too near for one row
+    CHECK_THAT(svg, containsText("y=\"19.0\" text-anchor=\"middle\">B</text>")); // too close for one row
     CHECK_THAT(svg, containsText(">20 mm</text>") && containsText(">0.5 in</text>"));
 }
 
@@ -118,7 +118,7 @@ TEST_CASE("a section is drawn to scale from what is measured", "[app]") {
     CHECK(sectionScale(bead) == Approx(11.5)); // 184 units for 16 mm
     const std::string svg = sectionDrawing(bead);
     CHECK(firstUnclosed(svg) == "");
-    // The face's middle lies at 8 + 8 mm, 8 + 2 mm.
+    // The middle of the face is at 8 + 8 mm, 8 + 2 mm.
     CHECK_THAT(svg, containsText("class=\"weld\" d=\"M42.5,31.0 Q100.0,-15.0 157.5,31.0 Z\""));
     CHECK_THAT(svg, containsText("class=\"fused\" d=\"M54.0,31.0 A46.0 11.5 0 0 0 146.0,31.0 Z\""));
     CHECK_THAT(svg, containsText("width 10.0 mm") && containsText("width 0.394 in") && containsText("plate 6.0 mm"));
@@ -127,5 +127,5 @@ TEST_CASE("a section is drawn to scale from what is measured", "[app]") {
     fillet.legStanding = 6;
     fillet.throat = 6 / std::sqrt(2.0);
     CHECK_THAT(sectionDrawing(fillet), containsText("throat 4.2 mm") && containsText("leg, standing 6.0 mm"));
-    CHECK(sectionDrawing(fillet).find("class=\"fused\" d") == std::string::npos); // nothing is known of it
+    CHECK(sectionDrawing(fillet).find("class=\"fused\" d") == std::string::npos); // fusion is unknown
 }

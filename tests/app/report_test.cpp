@@ -1,4 +1,4 @@
-// `meltpool report`: a run's results as one page that loads nothing.
+// The page of `meltpool report`: a run's results in one file that loads no other.
 #include "app/report/curve_scale.hpp"
 #include "app/report/record_results.hpp"
 #include "app/report/report_page.hpp"
@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A finished run as a file says so, without a weld.
+/// Writes the files of a finished run, without a weld.
 fs::path writtenRun(const char* name, const std::string& result) {
     const fs::path folder = test::scratchFolder(name);
     writeTextFileAtomically(folder / "result.json", result);
@@ -111,7 +111,7 @@ TEST_CASE("the page tells how the attempt was made, its score, verdict and weld,
         INFO(text);
         CHECK_THAT(html, containsText(text));
     }
-    CHECK(html.find(base64("old")) == std::string::npos); // only the last moment is shown
+    CHECK(html.find(base64("old")) == std::string::npos); // only the last picture is shown
     CHECK(html.find("Not scored") == std::string::npos);
 }
 
@@ -187,14 +187,14 @@ TEST_CASE("the page loads nothing and runs nothing", "[app]") {
 
 TEST_CASE("imperfections are lettered, failures first, and stand at their places on the strip", "[app]") {
     const fs::path folder = writtenRun("report-strip", kResult);
-    writeTextFileAtomically(folder / "weld.csv", "place_mm\n0\n2\n4\n"); // with the pitch: from -1 to 5 mm
+    writeTextFileAtomically(folder / "weld.csv", "place_mm\n0\n2\n4\n"); // widened by the pitch: -1 to 5 mm
     const std::string html = reportPage(readRunResults(folder));
     const size_t undercut = html.find("<td>A</td><td>undercut</td>"), angle = html.find("<td>B</td><td>toe angle</td>");
     REQUIRE(undercut != std::string::npos);
     REQUIRE(angle != std::string::npos);
     CHECK(undercut < angle);
     CHECK(html.find("<td></td><td>overlap</td>") > angle);
-    // 2 mm lies at 20 + 3/6 of 600, 1 to 3 mm are the third of the strip around it.
+    // 2 mm is at 20 + 3/6 of 600; the strip around it, 1 to 3 mm, is a third.
     CHECK_THAT(html, containsText("class=\"mark-fail\" x1=\"320.0\""));
     CHECK_THAT(html, containsText("class=\"fault\" x=\"220.0\" y=\"34.0\" width=\"200.0\""));
     CHECK_THAT(html, containsText("text-anchor=\"middle\">A</text>"));
@@ -239,13 +239,13 @@ TEST_CASE("what is no finished run is refused in one sentence", "[app]") {
     const fs::path rows = writtenRun("report-rows", kResult);
     writeTextFileAtomically(rows / "weld.csv", "a,b\n1,2\n1\n");
     CHECK_THROWS_WITH(readRunResults(rows), containsText("weld.csv:3: "));
-    // Entries of other kinds than expected are left out.
+    // Entries of unexpected kinds are left out.
     const std::string odd = reportPage(readRunResults(
         writtenRun("report-odd",
                    R"({"lesson": 3, "finished": true, "score": 4, "verdict": [], "weld": "x", "arc": {"a": "b"}})")));
     CHECK(firstUnclosed(odd) == "");
     CHECK(runMeltpool("report '" + empty.string() + "'").code == 2);
-    // A page never takes the place of what it is made of.
+    // A page never replaces a file that it is made from.
     const fs::path whole = writtenRun("report-kept", kResult);
     const test::Outcome over =
         runMeltpool("report '" + whole.string() + "' --out '" + (whole / "result.json").string() + "'");
@@ -273,7 +273,7 @@ TEST_CASE("a run's folder becomes a page by one command", "[app]") {
     const std::string result = readTextFile(folder / "result.json");
     CHECK_THAT(result, containsText("heat_input_kj_mm"));
 
-    // The record alone gives the same hand.
+    // The record alone gives an identical description of the hand.
     const test::Outcome alone = runMeltpool("report '" + (folder / "telemetry.csv").string() + "'");
     INFO(alone.errors);
     REQUIRE(alone.code == 0);
@@ -293,5 +293,5 @@ TEST_CASE("a run's folder becomes a page by one command", "[app]") {
     const auto speeds = hand.technique.column("speed_mm_s"), first = whole.technique.column("speed_mm_s");
     for (size_t i = 0; i < speeds.size(); ++i)
         if (std::isfinite(first[i])) CHECK(speeds[i] == Approx(first[i]).epsilon(1e-5));
-    CHECK(runMeltpool("report '" + (folder / "technique.csv").string() + "'").code == 2); // no record
+    CHECK(runMeltpool("report '" + (folder / "technique.csv").string() + "'").code == 2); // not a record
 }

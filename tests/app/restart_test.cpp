@@ -1,5 +1,5 @@
-// Another attempt begins at once: metal, technique and torch are put back in place; no shader is compiled again and no
-// buffer made anew.
+// A new attempt starts at once: metal, technique and torch are restored without compiling a shader or creating a
+// buffer.
 #include "app/session/lesson_figures.hpp"
 #include "app/session/lesson_session.hpp"
 #include "core/training/lesson/recorded_attempt.hpp"
@@ -13,10 +13,10 @@ using namespace meltpool;
 
 namespace {
 
-int made = 0;    ///< calls that make shaders or programs
-int buffers = 0; ///< calls that make buffers
+int made = 0;    ///< number of calls that make shaders or programs
+int buffers = 0; ///< number of calls that make buffers
 
-/// Counts the calls of one of OpenGL's functions while it lives.
+/// Counts the calls of one OpenGL function during its lifetime.
 template <auto Slot, int& calls>
 class Counted;
 
@@ -45,7 +45,7 @@ struct MakingCalls {
     Counted<&glCreateBuffers, buffers> memory;
 };
 
-/// Welds for `seconds` of frames along the seam.
+/// Welds along the seam for `seconds` of frames.
 void weld(LessonSession& session, Controls& controls, double seconds) {
     constexpr double kFrame = 1.0 / 45;
     for (double time = 0; time < seconds; time += kFrame) {
@@ -56,7 +56,7 @@ void weld(LessonSession& session, Controls& controls, double seconds) {
             torch.trigger = 1;
             return torch;
         });
-        session.picture().scene(nullptr); // the surface, as a frame draws it
+        session.picture().scene(nullptr); // builds the surface, as a frame does
     }
 }
 
@@ -66,7 +66,7 @@ TEST_CASE("again puts everything back in under a second and compiles no shader",
     const auto folder = test::scratchFolder("restart");
     Controls controls;
     test::context();
-    // Shaders of its own, so that the first start has something to compile.
+    // A separate shader library leaves the first start something to compile.
     gl::ShaderLibrary shaders(test::testFolder().parent_path() / "shaders");
     MakingCalls counted;
     LessonSession session(shaders, test::smallBead(), [] { return 0.0; });
@@ -78,7 +78,7 @@ TEST_CASE("again puts everything back in under a second and compiles no shader",
     CHECK(figures.molten > 0);
     session.end("start menu");
 
-    CHECK(made > 20); // what the first start makes: the counting sees it
+    CHECK(made > 20); // the first start makes objects, which proves that the count works
     CHECK(buffers > 20);
     session.begin(controls);
     weld(session, controls, 0.6);
@@ -102,7 +102,7 @@ TEST_CASE("again puts everything back in under a second and compiles no shader",
     CHECK(session.run().steps() > 20);
     session.end("start menu");
 
-    // The attempt after it is the one that a fresh start makes, to the last bit.
+    // The next attempt equals a fresh start's to the last bit.
     const auto second = readRecordedAttempt(folder / "weld-2.csv"), third = readRecordedAttempt(folder / "weld-3.csv");
     REQUIRE((second && third));
     CHECK(second->rows == third->rows);

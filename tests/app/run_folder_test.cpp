@@ -1,4 +1,4 @@
-// The folder of a run: which files in it are a run's, what is removed, and what is refused.
+// The folder of a run: which of its files belong to the run, which are removed, and which are refused.
 #include "app/commands/run_folder.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
@@ -13,11 +13,11 @@
 
 namespace {
 
-bool locksRefused = false; ///< as of a share without locks
+bool locksRefused = false; ///< simulates a share without locks
 
 } // namespace
 
-/// Stands before the C library's.
+/// Replaces the C library's function.
 extern "C" int flock(int descriptor, int operation) noexcept {
     if (locksRefused) {
         errno = ENOLCK;

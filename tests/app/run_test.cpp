@@ -1,4 +1,4 @@
-// `meltpool run` from end to end: what it writes, that it repeats, odd particle numbers, and failures midway.
+// `meltpool run` as a command: its files, its repeatability, odd particle counts, and failures midway.
 #include "core/base/image.hpp"
 #include "core/base/text.hpp"
 #include "core/weld/torch/torch_csv.hpp"
@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-/// A run that software drivers finish in about a second.
+/// A run that a software driver finishes in about a second.
 const std::string kQuick = "run classic --size 160x120 --set cells=24 ";
 
 Json resultIn(const fs::path& folder) {
@@ -93,7 +93,7 @@ TEST_CASE("a run leaves result, telemetry and pictures, and the same run gives t
     CHECK(second["state_hash"] == first["state_hash"]);
     CHECK(second["molten"] == first["molten"]);
 
-    // The record is a torch path: run again it gives the same metal.
+    // The record is a torch path that reproduces the metal.
     const Json again =
         runInto(folder / "again", arguments + " --torch '" + (folder / "first" / "telemetry.csv").string() + "'");
     CHECK(again["state_hash"] == first["state_hash"]);
@@ -158,7 +158,7 @@ TEST_CASE("without a display the program says so and runs the demonstration", "[
     const test::Outcome outcome =
         test::runUntilRecorded("", folder / "out" / "classic" / "telemetry.csv",
                                "cd '" + folder.string() + "' && env -u DISPLAY -u WAYLAND_DISPLAY");
-    CHECK(outcome.code == 1); // stopped before its end
+    CHECK(outcome.code == 1); // the run stops before its end
     CHECK_THAT(outcome.output, containsText("There is no display"));
     CHECK(resultIn(folder / "out" / "classic").at("lesson") == "classic");
     CHECK(fs::exists(folder / "out" / "classic" / "000.000s-metal.png"));
@@ -186,7 +186,7 @@ TEST_CASE("a weld lesson melts steel, tells its section, and repeats bit by bit"
     for (const char* size : {"width_mm", "height_mm", "depth_mm", "area_mm2"})
         CHECK(section.at("heat_affected").at(size) >= section.at("fusion").at(size));
     CHECK(section.at("heat_affected").at("area_mm2") > 1);
-    // A ghost is only drawn.
+    // A ghost only changes the picture.
     const auto other = folder / "other.toml";
     writeTextFileAtomically(other, "start_mm = [-4, 3, 0]\ntravel_angle_deg = -30\n"
                                    "[[move]]\nkind = 'arc_on'\n"
@@ -221,7 +221,7 @@ TEST_CASE("a ghost that cannot be one is refused with a sentence", "[app]") {
 
 TEST_CASE("a size limit on files ends a run with a sentence and without a cut picture", "[app]") {
     const auto folder = test::scratchFolder("limit");
-    // In KiB: enough for the record's rows, too little for a picture.
+    // The size in KiB is enough for the record's rows, too small for a picture.
     const test::Outcome outcome =
         runMeltpool("run classic --size 640x480 --set cells=24 --set particles=512 --seconds 0.1 "
                     "--pictures 0 --out '" +
@@ -262,8 +262,8 @@ TEST_CASE("a folder in which a run writes is closed to a second one, and a kille
     CHECK(killed.at("finished") == false);
     CHECK_THAT(killed.at("error").get<std::string>(), containsText("has not ended"));
     CHECK_FALSE(killed.contains("state_hash"));
-    CHECK(picturesIn(folder) == 0); // those of the first run are gone
-    // The dead process locks nothing.
+    CHECK(picturesIn(folder) == 0); // the first run's pictures are removed
+    // A dead process holds no lock.
     const test::Outcome third = runMeltpool(kQuick + "--pictures 0 --seconds 0.1 --set particles=64" + into);
     CHECK(third.code == 0);
     CHECK_THAT(third.output, containsText("held an earlier run; its 2 files are removed"));
@@ -328,7 +328,7 @@ TEST_CASE("without a display lesson and record are honoured, and what needs a wi
     CHECK(runMeltpool("--lesson missing.toml", before).code == 2);
     const test::Outcome outcome =
         test::runUntilRecorded("--lesson solder-cube --record mine.csv", folder / "mine.csv", before);
-    CHECK(outcome.code == 1); // stopped before its end
+    CHECK(outcome.code == 1); // the run stops before its end
     CHECK_THAT(outcome.output, containsText("lesson 'solder-cube' runs"));
     CHECK(resultIn(folder / "out" / "solder-cube").at("lesson") == "solder-cube");
     CHECK_FALSE(readTorchCsv(folder / "mine.csv").samples.empty());

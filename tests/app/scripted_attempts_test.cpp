@@ -1,5 +1,5 @@
-// Twenty attempts of all processes: each is replayed to the bits of its recording, and every moment that is sought has
-// the bits to which stepping comes, with one thread of the software driver and with two.
+// Replays of twenty scripted attempts of all processes: each reaches the bits of its recording, and each seek the bits
+// of a stepped weld, with one thread of the software driver and with two.
 #include "app/activities/attempt_replay.hpp"
 #include "app/session/lesson_session.hpp"
 #include "core/base/text.hpp"
@@ -22,16 +22,16 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kSeeks = 5;
-constexpr int kMostFrames = 20'000; // far beyond what a seek takes
+constexpr int kMostFrames = 20'000; // far more than a seek takes
 constexpr const char* kFolderKey = "MELTPOOL_SCRIPTED_ATTEMPTS";
 
-using Hashes = std::map<size_t, std::uint64_t>; ///< of the metal by the steps that were made
+using Hashes = std::map<size_t, std::uint64_t>; ///< hash of the metal by number of steps
 
 fs::path folderOf(const fs::path& all, size_t number) {
     return all / (number < 10 ? "0" + std::to_string(number) : std::to_string(number));
 }
 
-/// Plays the attempt to its end as the window does, then goes to moments all over it. What the metal was there.
+/// Plays the attempt to its end as the window does, then seeks times all over it. Returns the metal's hashes there.
 Hashes hashesBySeeking(const Lesson& lesson, unsigned seed) {
     Trainer trainer(shaders(), lesson);
     AttemptReplay replay;
@@ -60,7 +60,7 @@ Hashes hashesBySeeking(const Lesson& lesson, unsigned seed) {
     return found;
 }
 
-/// A fresh metal stepped from the first step to the last.
+/// Steps fresh metal from the first step to the last and compares its hashes.
 void stepThrough(const Lesson& lesson, const Hashes& sought) {
     Trainer trainer(shaders(), lesson);
     trainer.waitForFigures(true);
@@ -74,10 +74,10 @@ void stepThrough(const Lesson& lesson, const Hashes& sought) {
     }
     CHECK(stepped == sought);
     CHECK(formatHexadecimal(trainer.result().stateHash) == lesson.recorded->stateHash);
-    CHECK(molten > 0); // else it would be no weld
+    CHECK(molten > 0); // a weld has molten metal
 }
 
-/// Replays all attempts of the folder in this process, with whatever threads its driver has.
+/// Replays all attempts of the folder in this process, with the driver's present number of threads.
 void replayAll(const fs::path& all) {
     const auto scripts = attemptScripts();
     for (size_t i = 0; i < scripts.size(); ++i) {
@@ -93,7 +93,7 @@ void replayAll(const fs::path& all) {
     }
 }
 
-/// Runs this program again for the test below; its exit code.
+/// Runs this program again for the test below and returns its exit code.
 int replayAllWith(const std::string& threads, const fs::path& all) {
     const fs::path own = fs::read_symlink("/proc/self/exe");
     const std::string command = std::string(kFolderKey) + "='" + all.string() + "' LP_NUM_THREADS=" + threads + " '" +

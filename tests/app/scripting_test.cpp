@@ -1,4 +1,4 @@
-// What scripts and shells want of the program: lists as JSON, one table of all attempts, and silence with --quiet.
+// The program's interface for scripts and shells: lists as JSON, one table of all attempts, and silence with --quiet.
 #include "core/base/text.hpp"
 #include "core/training/attempt/recording_reader.hpp"
 #include "tests/app/program.hpp"
@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A recording of one step that began on this day; a program that was killed leaves no end.
+/// Stores a recording of one step that began on this day; a killed program leaves no end.
 void keep(const fs::path& folder, int day, const std::string& lesson, bool ended) {
     AttemptHead head = test::recordedHead(lesson);
     head.date = "2026-01-0" + std::to_string(day) + "T10:00:00+0000";
@@ -50,7 +50,7 @@ TEST_CASE("lessons and their values are listed as JSON", "[app]") {
     writeTextFileAtomically(own / "wrong.toml", "titel = 'Wrong'\n");
     const std::string before = "env XDG_DATA_HOME='" + own.parent_path().parent_path().string() + "'";
     const test::Outcome outcome = runMeltpool("lessons --json", before);
-    CHECK(outcome.code == 2); // one cannot be used
+    CHECK(outcome.code == 2); // one recording is unusable
     const json list = json::parse(outcome.output);
     REQUIRE(list.size() > 10);
     const json& mine = list.at(list.size() - 2);
@@ -83,7 +83,7 @@ TEST_CASE("attempts are listed as JSON and as one table with their results", "[a
     CHECK_THAT(outcome.errors, containsText("none.meltrec"));
     const json list = json::parse(outcome.output);
     REQUIRE(list.size() == 3);
-    CHECK(list[0].at("score").is_null()); // killed, and the newest
+    CHECK(list[0].at("score").is_null()); // killed, and the newest one
     CHECK(list[1].at("lesson") == "a \"strange\", name");
     CHECK(list[2].at("date") == "2026-01-01T10:00:00+0000");
     CHECK(list[2].at("score") == 83.5);
@@ -98,7 +98,7 @@ TEST_CASE("attempts are listed as JSON and as one table with their results", "[a
     CHECK_THAT(written.output, containsText("The table of 3 attempts is " + table.string()));
     const std::string text = readTextFile(table);
     const auto lines = splitText(text, '\n');
-    REQUIRE(lines.size() == 5); // the head, three rows, nothing after the last end of line
+    REQUIRE(lines.size() == 5); // the head and three rows, and no text after the last line end
     CHECK(lines[0].starts_with("date,lesson,lesson_file,attempt,seconds,score,verdict,practice,"));
     CHECK_THAT(std::string(lines[1]),
                containsText("2026-01-03T10:00:00+0000,classic,,3,") && containsText(",,,no,,,,"));
@@ -106,7 +106,7 @@ TEST_CASE("attempts are listed as JSON and as one table with their results", "[a
     CHECK_THAT(std::string(lines[3]), containsText(",83.5,accepted,no,0.75,start menu,0123456789abcdef,"));
     CHECK(runMeltpool(arguments + " --quiet").output == table.string() + "\n");
 
-    // The name of a recording alone would be the table's: nothing of it may be lost.
+    // A lone recording name would name the output; the recording must not be overwritten.
     const test::Outcome refused = runMeltpool("recordings --csv '" + (folder / "day-1.meltrec").string() + "'");
     CHECK(refused.code == 2);
     CHECK_THAT(refused.errors, containsText("day-1.meltrec: is a recording; expected the table's name"));
@@ -120,7 +120,7 @@ TEST_CASE("with --quiet a command says its result's path and nothing else, and e
     const fs::path folder = test::scratchFolder("quiet");
     const std::string out = " --out '" + (folder / "run").string() + "'";
     const std::string run = std::string("run classic --quiet") + kShort + out;
-    for (int turn = 0; turn < 2; ++turn) { // the second time there are files to be removed
+    for (int turn = 0; turn < 2; ++turn) { // the second run has files to remove
         const test::Outcome outcome = runMeltpool(run);
         INFO(outcome.errors);
         CHECK(outcome.code == 0);

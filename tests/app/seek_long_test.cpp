@@ -1,5 +1,5 @@
-// How long it takes to come to any second of a two-minute attempt, and what its recording takes of the disk. With
-// MELTPOOL_KEEP=FOLDER the recording stays there.
+// Time of a seek within a two-minute attempt and size of its recording on the disk; MELTPOOL_KEEP=FOLDER leaves the
+// recording there.
 #include "app/platform/program_info.hpp"
 #include "app/session/lesson_session.hpp"
 #include "core/base/text.hpp"
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr double kFrame = 1.0 / 45;
 constexpr double kSeconds = 120;
-constexpr double kPeriod = 12, kArcTime = 5; ///< s: beads of 40 mm, between them the plate cools
+constexpr double kPeriod = 12, kArcTime = 5; ///< s: beads of 40 mm, with pauses in which the plate cools
 
 Lesson shippedBead() {
     Lesson lesson = findLesson("gmaw-bead", test::testFolder().parent_path() / "app" / "data" / "lessons");
@@ -29,7 +29,7 @@ Lesson shippedBead() {
     return lesson;
 }
 
-/// One bead after the other, each beside the last.
+/// A path of beads, each next to the last.
 TorchSample torchAt(double time) {
     const double bead = std::floor(time / kPeriod), since = time - bead * kPeriod;
     TorchSample torch;
@@ -45,7 +45,7 @@ double now() {
 }
 
 fs::path recordedIn(const fs::path& folder) {
-    LessonSession session(test::shaders(), shippedBead(), now); // moments lie closer where this machine is slow
+    LessonSession session(test::shaders(), shippedBead(), now); // checkpoints are closer together on a slow machine
     session.log().recordings().use(folder, thisMachine().program, thisMachine().driver);
     Controls controls;
     session.begin(controls);
@@ -82,7 +82,7 @@ TEST_CASE("any second of a two-minute attempt is come to from the moments of its
     Controls controls;
     session.openReplay(lesson, controls);
     ReplayTimeline& line = session.activities().replay.line();
-    line.toggle(); // it does not play between the seeks
+    line.toggle(); // stops playing between the seeks
     std::mt19937 random(7);
     std::uniform_real_distribution<double> second(1, kSeconds - 1);
     double longest = 0, sum = 0;

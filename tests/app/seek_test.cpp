@@ -1,5 +1,5 @@
-// Recordings of the session hold moments of the whole metal: a replay goes to them at once, comes to the same bits as
-// without them, and does not use those of another program or driver. An attempt that went back repeats its last end.
+// Checkpoints in a session's recordings: a replay seeks them at once, reaches the bits of a replay without them,
+// refuses those of another program or driver, and repeats the last branch of an attempt that went back.
 #include "app/activities/moments_of_attempt.hpp"
 #include "app/activities/replay_end.hpp"
 #include "app/library/best_kept.hpp"
@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
 
 constexpr double kFrame = 1.0 / 45;
 
-/// Welds at 3 mm/s in a session whose attempts are recorded.
+/// Welds at 3 mm/s in a session that records its attempts.
 class Welder {
   public:
     explicit Welder(const fs::path& folder) : session(test::shaders(), test::plainBead(), [] { return 0.0; }) {
@@ -38,7 +38,7 @@ class Welder {
         session.begin(controls);
     }
 
-    /// In each frame the moment that was begun before has time to be kept.
+    /// Runs frames in each of which a pending checkpoint has time to be stored.
     void weld(int frames) {
         const TorchSource lead = [&](int step, int) {
             TorchSample torch;
@@ -72,7 +72,7 @@ Lesson attemptIn(const fs::path& file) {
     return lesson;
 }
 
-/// The same without its moments.
+/// Returns a copy without its checkpoints.
 fs::path withoutMoments(const fs::path& file) {
     test::RecordingBytes copy;
     FrameReader frames(file);
@@ -84,7 +84,7 @@ fs::path withoutMoments(const fs::path& file) {
     return stripped;
 }
 
-/// State of the metal at this second, sought by the program.
+/// Returns the hash of the metal at this second, from the program's own seek.
 std::string hashAt(const fs::path& file, const std::string& second, const std::string& told) {
     const fs::path folder = test::scratchFolder("seek-run");
     const test::Outcome outcome = test::runMeltpool("replay '" + file.string() + "' --seek " + second +
@@ -148,7 +148,7 @@ void makePageOfHand(const fs::path& file) {
 
 TEST_CASE("a replay goes to the moments that its recording holds, and to the same bits as without", "[app][seek]") {
     Welder welder(test::scratchFolder("seek"));
-    welder.weld(240); // over five seconds
+    welder.weld(240); // longer than five seconds
     const fs::path file = welder.end();
     const Recording recording = readSoundRecording(file);
     REQUIRE(recording.checkpoints.size() >= 2);

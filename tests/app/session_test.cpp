@@ -1,4 +1,4 @@
-// The lesson that window and headset share: attempts and their records, changes on the way, questions, and time.
+// The lesson that window and headset share: attempts and their records, changes during an attempt, questions, and time.
 #include "app/session/lesson_figures.hpp"
 #include "app/session/lesson_session.hpp"
 #include "core/base/error.hpp"
@@ -24,12 +24,12 @@ Lesson smallLesson() {
 
 class Person {
   public:
-    /// Steps take no time, however busy this machine is.
+    /// Steps take no measured time, however busy this machine is.
     explicit Person(const fs::path& record = {}) : session(test::shaders(), smallLesson(), [] { return 0.0; }) {
         session.log().records().use(record, "program", "driver");
     }
 
-    /// Frames of 1/45 s with the flame at the corner.
+    /// Runs frames of 1/45 s with the flame at the corner.
     void weld(int frames) { frame(frames, 1.0 / 45); }
 
     void frame(int frames, double seconds) {
@@ -95,7 +95,7 @@ TEST_CASE("no button ends or cuts a record: each attempt has its own file, which
     CHECK(readTorchCsv(folder / "weld-2.csv").samples.front().time < 0.02);
     const std::string before = readTextFile(first);
     {
-        Person another(first); // another start of the program with the same name
+        Person another(first); // another start of the program with an equal record name
         another.session.begin(another.controls);
         another.weld(5);
     }
@@ -125,7 +125,7 @@ TEST_CASE("every attempt replays to the same bits, whatever was changed while it
     }
     CHECK(attemptIn(file).changes.size() == 2);
     CHECK(readTextFile(file).find("# event zoom 2\n") != std::string::npos);
-    // The second attempt begins with what the first was changed to.
+    // The second attempt begins with the changed values of the first.
     const RecordedAttempt second = attemptIn(folder / "weld-2.csv");
     const auto value = std::find_if(second.values.begin(), second.values.end(),
                                     [](const RecordedChange& c) { return c.key == "heat_temperature"; });
@@ -178,7 +178,7 @@ TEST_CASE("another lesson is opened in the same session: its own values, the old
     CHECK(sections.attempt.forScore); // the person's choice, not the lesson's
     setParameter(sections.simulation.parameters, "voltage", "24.5", "test");
     CHECK(person.session.lesson().process.of<Gmaw>().voltage == 24.5f);
-    CHECK_FALSE(person.session.values().workpieceChanged()); // the machine is the trainee's to set
+    CHECK_FALSE(person.session.values().workpieceChanged()); // the trainee sets the machine
     setParameter(sections.start.parameters, "thickness_mm", "9", "test");
     CHECK(person.session.values().workpieceChanged());
     person.session.open(smallLesson());
@@ -206,7 +206,7 @@ TEST_CASE("the record tells how much slower than the clock the metal was", "[app
     const fs::path file = test::scratchFolder("slow") / "weld.csv";
     Person person(file);
     person.session.begin(person.controls);
-    person.frame(40, 1.0); // frames of a second: more than can be made good
+    person.frame(40, 1.0); // a frame takes a second: more steps than can be made up
     person.session.end("start menu");
     const RecordedAttempt attempt = attemptIn(file);
     REQUIRE(attempt.realTime);
@@ -234,11 +234,11 @@ TEST_CASE("a fault while the machine's speed is measured stops the measuring, an
     broken = false;
     session.reset(controls);
     CHECK(session.run().fault().empty());
-    CHECK(session.question().asked()); // measured from the start
+    CHECK(session.question().asked()); // the measurement starts at once
     for (int i = 0; i < 110; ++i)
         session.advance(controls, 1.0 / 45, nullptr);
     CHECK_FALSE(session.question().asked());
-    CHECK(session.leader() == TorchLeader::desk); // the attempt
+    CHECK(session.leader() == TorchLeader::desk); // an attempt runs
 }
 
 TEST_CASE("an attempt for score starts where the machine keeps up, and else says what would help", "[app]") {
@@ -247,9 +247,9 @@ TEST_CASE("an attempt for score starts where the machine keeps up, and else says
     person.session.sections().attempt.forScore = true;
     person.session.begin(person.controls);
     CHECK(person.session.question().asked());
-    CHECK(person.session.question().answers.empty()); // it is being measured
+    CHECK(person.session.question().answers.empty()); // the measurement runs
     person.frame(2, 1.0 / 45);
-    person.session.reset(person.controls); // no attempt to reset yet, so the measuring goes on
+    person.session.reset(person.controls); // without an attempt to reset the measurement continues
     CHECK(person.session.question().asked());
     CHECK_FALSE(fs::exists(file));
     SECTION("it keeps up") {
@@ -261,7 +261,7 @@ TEST_CASE("an attempt for score starts where the machine keeps up, and else says
         CHECK(person.session.run().steps() > steps);
         person.session.end("start menu");
         CHECK(readTextFile(file).find("# event for_score yes\n") != std::string::npos);
-        CHECK(hashOfRepeat(file) == attemptIn(file).stateHash); // nothing of the measuring is left in the metal
+        CHECK(hashOfRepeat(file) == attemptIn(file).stateHash); // the measurement leaves no trace in the metal
     }
     SECTION("it does not") {
         person.frame(20, 1.0);
@@ -271,7 +271,7 @@ TEST_CASE("an attempt for score starts where the machine keeps up, and else says
         SECTION("fewer particles") {
             person.answer("With " + std::to_string(particles / 2) + " particles");
             CHECK(person.session.lesson().setup.particles == particles / 2);
-            CHECK(person.session.question().answers.empty()); // measured again
+            CHECK(person.session.question().answers.empty()); // a new measurement
             CHECK(person.session.running());
         }
         SECTION("practice") {
@@ -305,22 +305,22 @@ TEST_CASE("a standing plate stands in the picture, and the torch is led in the r
     REQUIRE(session.run().steps() > 0);
     const glm::mat3 turn = session.picture().fixture().turn;
     const glm::vec3 before = turn * session.run().torch().tip;
-    CHECK(glm::distance(turn * session.run().torch().axis(), glm::vec3(0, 0, -1)) < 1e-5F); // at the standing plate
+    CHECK(glm::distance(turn * session.run().torch().axis(), glm::vec3(0, 0, -1)) < 1e-5F); // towards the upright plate
     controls.captureMouse();
     InputFrame hand;
-    hand.mouseMove = {0, -100}; // the vertical seam goes up the screen
+    hand.mouseMove = {0, -100}; // the vertical seam runs up the screen
     controls.update(hand, 1.0 / 45);
     frames();
     const glm::vec3 way = turn * session.run().torch().tip - before;
     CHECK(glm::distance(way, glm::vec3(0, controls.parameters.torchMouse * 1e-3F, 0)) < 1e-5F);
-    CHECK(glm::distance(turn * glm::vec3(0, 1, 0), glm::vec3(0, 0, 1)) < 1e-6F); // its face looks at the welder
-    // The seam is vertical: 15 mm of it and 6 mm of supports lie under the middle.
+    CHECK(glm::distance(turn * glm::vec3(0, 1, 0), glm::vec3(0, 0, 1)) < 1e-6F); // its face points to the welder
+    // The seam is vertical; 15 mm of it and 6 mm of supports are below the middle.
     CHECK(session.picture().bottom() == Approx(-0.021F));
 }
 
 namespace {
 
-/// A bead on a small plate, whose voltage is to be chosen and whose machine stands too low at first.
+/// A bead on a small plate with a voltage to choose and a machine that starts too low.
 Lesson beadToSet() {
     Lesson lesson = findLesson("gmaw-bead", test::testFolder().parent_path() / "app" / "data" / "lessons");
     lesson.workpiece.lengthMm = 30;
@@ -354,10 +354,10 @@ TEST_CASE("a machine that stands outside of a lesson's limits is set before the 
     session.question().answered = 0;
     session.settle(controls);
     CHECK_FALSE(session.question().asked());
-    session.sections().restoreDefaults(); // what may not be chosen is nothing to go back to
+    session.sections().restoreDefaults(); // a value that may not be chosen is no default to restore
     CHECK(valueOf(session, "voltage") == "15");
 
-    session.demonstrate(controls); // shows the lesson's own settings, whatever the machine stands at
+    session.demonstrate(controls); // shows the lesson's own settings, not those of the machine
     REQUIRE(session.running());
     session.advance(controls, 1.0 / 45, nullptr);
     session.reset(controls);
@@ -390,7 +390,7 @@ TEST_CASE("for score what a lesson gives stays the lesson's", "[app]") {
     set(session, "voltage", "22");
     set(session, "wire_feed_m_min", "6");
     CHECK(session.values().settingsChanged());
-    sections.restoreGiven(); // nothing is given for practice
+    sections.restoreGiven(); // practice gives no values
     CHECK(valueOf(session, "wire_feed_m_min") == "6");
     sections.attempt.forScore = true;
     CHECK(given("wire_feed_m_min"));

@@ -1,4 +1,4 @@
-// Shells complete commands, options, values and names of lessons; the manual page says what --help says.
+// Shell completion of commands, options, values and lesson names, and the manual page against --help.
 #include "core/base/text.hpp"
 #include "tests/app/program.hpp"
 #include "tests/support/catch.hpp"
@@ -36,7 +36,7 @@ bool succeeds(const std::string& command) {
     return std::system((command + " >/dev/null 2>&1").c_str()) == 0;
 }
 
-/// Writes a shell's script into a fresh folder.
+/// Writes a shell's script into a new folder.
 fs::path scriptOf(const std::string& shell) {
     const fs::path file = test::scratchFolder("completion-" + shell) / "meltpool";
     const test::Outcome outcome = runMeltpool("completion " + shell);
@@ -45,7 +45,7 @@ fs::path scriptOf(const std::string& shell) {
     return file;
 }
 
-/// What bash offers for the last of these words, each between two slashes; the person has this data folder.
+/// Returns bash's completions of the last of these words, each between two slashes; the person has this data folder.
 std::string offered(const fs::path& script, const std::vector<std::string>& words, const fs::path& data) {
     const fs::path program = test::buildFolder() / "bin" / "meltpool";
     const fs::path output = script.parent_path() / "offered", asked = script.parent_path() / "asked.bash";
@@ -76,7 +76,7 @@ TEST_CASE("bash completes commands, options, files and lessons", "[app]") {
     CHECK(offered(script, {"--he"}, data) == "/--help/--headset/");
     const std::string lessons = offered(script, {"run", "tee"}, data);
     CHECK_THAT(lessons, containsText("/tee-fillet/") && containsText("/tee of $(touch expanded) mine/"));
-    CHECK_FALSE(fs::exists(data / "expanded")); // a file's name is never run
+    CHECK_FALSE(fs::exists(data / "expanded")); // the file's name is not executed
     CHECK_THAT(offered(script, {"run", "l"}, data), containsText("/lap-2f/") && containsText("/lesson.toml/"));
     CHECK(offered(script, {"lessons", "gmaw"}, data) == "/gmaw-bead/");
     CHECK(offered(script, {"--lesson", "gmaw"}, data) == "/gmaw-bead/");
@@ -87,7 +87,7 @@ TEST_CASE("bash completes commands, options, files and lessons", "[app]") {
     CHECK(offered(script, {"run", "x", "--seconds", ""}, data) == "//");
     CHECK_THAT(offered(script, {"bench", ""}, data), containsText("/weld/"));
     CHECK(offered(script, {"completion", ""}, data) == "/bash/zsh/fish/");
-    // Keys of the lesson that the line names, wherever it stands.
+    // Keys belong to the lesson that the line names at any place.
     CHECK(offered(script, {"run", "gmaw-bead", "--set", "volt"}, data) == "/voltage=/");
     CHECK_THAT(offered(script, {"run", "--video", "classic", "--set", ""}, data),
                containsText("/particles=/") && !containsText("/voltage=/"));
@@ -124,7 +124,7 @@ TEST_CASE("every shell's script and the manual page have every option of --help"
     CHECK_THAT(manual, containsText("\n.SH EXAMPLES\n.TP\n\\fBmeltpool --lesson gmaw-bead\\fR\n"));
     CHECK(manual.substr(0, manual.find('\n')).find("\"\"") == std::string::npos); // no empty field
     if (succeeds("command -v groff")) {
-        // A warning is a request or an escape that roff does not know.
+        // Groff warns of requests and escapes that roff does not know.
         CHECK(succeeds("test -z \"$(groff -man -Tutf8 -ww '" + (folder / "meltpool.1").string() +
                        "' 2>&1 >/dev/null)\""));
     }

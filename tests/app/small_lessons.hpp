@@ -10,8 +10,8 @@ inline std::filesystem::path shippedLessons() {
     return testFolder().parent_path() / "app" / "data" / "lessons";
 }
 
-/// A bead on a plate of 30 x 18 mm, judged over 20 mm; its demonstration goes from -36 to 36 mm at 8 mm/s and pushes 10
-/// degrees.
+/// Returns a bead on a plate of 30 x 18 mm, judged over 20 mm; its demonstration goes from -36 to 36 mm at 8 mm/s and
+/// pushes 10 degrees.
 inline Lesson smallBead() {
     Lesson lesson = findLesson("gmaw-bead", shippedLessons());
     lesson.workpiece.lengthMm = 30;
@@ -23,7 +23,7 @@ inline Lesson smallBead() {
     return lesson;
 }
 
-/// A bead on a plate of 24 x 14 mm, without values to choose.
+/// Returns a bead on a plate of 24 x 14 mm, without values to choose.
 inline Lesson plainBead() {
     Lesson lesson = findLesson("gmaw-bead", shippedLessons());
     lesson.choose.clear();

@@ -1,4 +1,4 @@
-// From a lesson's steps to what both ears get, through OpenAL's loopback device; and the program's own sound file.
+// Sound from a lesson's steps to both ears, through OpenAL's loopback device, and the program's own sound file.
 #include "app/sound/openal_device.hpp"
 #include "app/sound/sound_output.hpp"
 #include "app/sound/sound_stream.hpp"
@@ -18,12 +18,12 @@ using namespace meltpool::test;
 
 namespace {
 
-/// The levels of both ears.
+/// The sound levels of both ears.
 struct Ears {
     double left = 0, right = 0;
 };
 
-/// What the ears get of half a second of a long arc at this place.
+/// Returns the levels of half a second of a long arc at this place.
 Ears heardFrom(const glm::vec3& place, float volume = 1) {
     const auto device = OpenAlDevice::openLoopback();
     device->place(place);
@@ -49,7 +49,7 @@ Ears heardFrom(const glm::vec3& place, float volume = 1) {
     return {std::sqrt(ears.left / 24000), std::sqrt(ears.right / 24000)};
 }
 
-/// The samples of a 16-bit file of one channel.
+/// Returns the samples of a 16-bit file of one channel.
 std::vector<float> samplesOf(const std::string& wav) {
     std::vector<float> samples;
     for (size_t i = 44; i + 1 < wav.size(); i += 2) {

@@ -1,4 +1,4 @@
-// What the doctor measures of a weld's speed, and which particle spacing it advises.
+// The doctor's measurement of a weld's speed and its advice on the particle spacing.
 #include "app/commands/speed_doctor.hpp"
 #include "core/base/resources.hpp"
 #include "tests/app/program.hpp"

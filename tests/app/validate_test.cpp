@@ -82,7 +82,7 @@ TEST_CASE("validate ends with 1 when a case fails and with 2 when a file has a f
 TEST_CASE("validate keeps what it has when a case ends early, and goes on with the others", "[app]") {
     const auto folder = test::scratchFolder("validate");
     std::string text = readTextFile(shippedCase("bead_gmaw_park"));
-    text.replace(text.find("wire_diameter_mm = 1.0"), 22, "current_a = 100\narc_length_mm = 25"); // no arc is that long
+    text.replace(text.find("wire_diameter_mm = 1.0"), 22, "current_a = 100\narc_length_mm = 25"); // too long for an arc
     text.replace(text.find("wire_feed_m_min = 7"), 19, "");
     text.replace(text.find("height_mm = 2.2"), 15, "");
     text.replace(text.find("section_mm2 = 9.16"), 18, "");
@@ -103,7 +103,7 @@ TEST_CASE("validate keeps what it has when a case ends early, and goes on with t
     CHECK(json["cases"][0]["passed"] == true);
     CHECK(json["cases"][1]["passed"] == false);
     CHECK_THAT(json["cases"][1]["error"].get<std::string>(), containsText("burned for less than half"));
-    CHECK(json["cases"][1]["numbers"][0]["name"] == "current_a"); // what was found before
+    CHECK(json["cases"][1]["numbers"][0]["name"] == "current_a"); // results of finished cases
     CHECK(json["cases"][2]["passed"] == true);
 }
 
@@ -116,5 +116,5 @@ TEST_CASE("validate says where its JSON cannot be written, and puts no file in a
     const auto nowhere = runMeltpool(words + "/no/such/folder/out.json");
     CHECK(nowhere.code == 2);
     CHECK_THAT(nowhere.errors, containsText("/no/such/folder/out.json: cannot be written"));
-    CHECK_THAT(nowhere.output, !containsText("pass")); // before any case has run
+    CHECK_THAT(nowhere.output, !containsText("pass")); // no case has run
 }

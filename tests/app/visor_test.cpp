@@ -10,7 +10,7 @@ using namespace meltpool;
 
 namespace {
 
-/// Somebody who watches the demonstration in a window of 45 frames a second.
+/// A viewer of the demonstration in a window with 45 frames a second.
 class Watcher {
   public:
     explicit Watcher(const LookParameters& look) : session(test::shaders(), lessonWith(look), [] { return 0.0; }) {
@@ -44,7 +44,7 @@ class Watcher {
   private:
     static Lesson lessonWith(const LookParameters& look) {
         Lesson lesson = test::plainBead();
-        lesson.workpiece.lengthMm = 100; // as long as the expert's path
+        lesson.workpiece.lengthMm = 100; // length of the expert's path
         lesson.look.adaptation = look.adaptation;
         lesson.look.visorShade = look.visorShade;
         lesson.look.visorLightShade = look.visorLightShade;
@@ -52,7 +52,7 @@ class Watcher {
     }
 };
 
-/// Mean of all channels, 0..255, of the picture that a run took of its lesson's first look.
+/// Returns the mean of all channels, 0..255, of the picture that a run took of its lesson's first look.
 double brightness(const std::filesystem::path& folder, const std::string& time) {
     const Image picture = readPng(folder / (time + "-metal.png"));
     double sum = 0;
@@ -114,8 +114,8 @@ TEST_CASE("pictures of a run follow visor and eye where the look asks for it, an
     const auto fixed = taken("fixed visor", ""), own = taken("own visor", " --set visor_light_shade=3"),
                eye = taken("eye", " --set visor_light_shade=3 --set adaptation=true");
     CHECK(brightness(fixed, "000.000s") < 2);
-    CHECK(brightness(own, "000.000s") > 20);                                // its light state
-    CHECK(brightness(own, "000.900s") == brightness(fixed, "000.900s"));    // its dark one
-    CHECK(brightness(eye, "000.900s") < 0.8 * brightness(own, "000.900s")); // used to the arc
-    CHECK(brightness(eye, "000.300s") > brightness(own, "000.300s"));       // used to the dim room
+    CHECK(brightness(own, "000.000s") > 20);                                // the filter's light state
+    CHECK(brightness(own, "000.900s") == brightness(fixed, "000.900s"));    // the filter's dark state
+    CHECK(brightness(eye, "000.900s") < 0.8 * brightness(own, "000.900s")); // eye adapted to the arc
+    CHECK(brightness(eye, "000.300s") > brightness(own, "000.300s"));       // eye adapted to the dim room
 }

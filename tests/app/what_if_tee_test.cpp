@@ -1,5 +1,5 @@
-// What-ifs on the tee lesson as it is shipped: what each changes of a GMAW fillet. With MELTPOOL_KEEP=FOLDER pages and
-// pictures stay there for a person to look at.
+// What-ifs on the shipped tee lesson: effect of each on a GMAW fillet. With MELTPOOL_KEEP=FOLDER pages and pictures are
+// left there for a person to look at.
 #include "core/base/text.hpp"
 #include "tests/app/program.hpp"
 #include "tests/support/catch.hpp"
@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-/// mm, half a particle spacing of the lesson: what the metal resolves of a length.
+/// Resolution of a length, mm: half a particle spacing of the lesson.
 constexpr double kResolved = 0.5;
 
 std::string quoted(const fs::path& path) {
@@ -40,7 +40,7 @@ class Tee {
         REQUIRE(run.code == 0);
     }
 
-    /// The weld with this changed; its page is comparison.html in the folder NAME.
+    /// Welds the attempt with this change; its page is comparison.html in the folder NAME.
     Json weldIf(const std::string& name, const std::string& wish) const {
         const fs::path out = folder_ / name;
         const test::Outcome changed = runMeltpool("replay" + quoted(attempt() / "telemetry.csv") + "--what-if " + wish +
@@ -67,7 +67,7 @@ double weldOf(const Json& result, const char* key) {
     return result.at("weld").at(key).get<double>();
 }
 
-/// mm, mean of both legs.
+/// Returns the mean of both legs, mm.
 double legOf(const Json& result) {
     return (weldOf(result, "leg1_mm") + weldOf(result, "leg2_mm")) / 2;
 }
@@ -82,7 +82,7 @@ TEST_CASE("one thing changed on the tee lesson changes the fillet as physics has
     const Tee tee;
     const Json own = tee.own();
 
-    // The same wire on less seam: a section that is 1/0.7 as large, so legs and throat are 1.2 times as long.
+    // An equal wire on less seam gives a section that is 1/0.7 as large, so legs and throat are 1.2 times as long.
     const Json slower = tee.weldIf("slower", "speed=0.7");
     CHECK(slower.at("arc").at("seconds").get<double>() > 1.3 * own.at("arc").at("seconds").get<double>());
     CHECK(slower.at("arc").at("heat_input_kj_mm").get<double>() >
@@ -91,15 +91,15 @@ TEST_CASE("one thing changed on the tee lesson changes the fillet as physics has
     CHECK(weldOf(slower, "throat_mm") > weldOf(own, "throat_mm"));
     CHECK(weldOf(slower, "penetration_mm") > weldOf(own, "penetration_mm") - kResolved);
 
-    // A longer piece of hot wire melts with less current, and less current melts less deep. The wire is the same.
+    // A longer piece of hot wire melts with less current, and less current penetrates less. The wire is unchanged.
     const Json longer = tee.weldIf("longer-stick-out", "stick_out=6");
     CHECK(currentOf(longer) < currentOf(own) - 5);
     CHECK(weldOf(longer, "penetration_mm") < weldOf(own, "penetration_mm") + kResolved / 2);
     CHECK(legOf(longer) == Approx(legOf(own)).margin(2 * kResolved));
 
-    // Turned about the corner, a handle that leans towards the welder brings the wire's end down to the lying plate,
-    // and the pool stands between it and the corner: its metal stays there, and the root is fused less. One that stands
-    // up does the opposite.
+    // Turned about the corner, a handle that leans towards the welder brings the wire's end down to the base plate, and
+    // the pool is between it and the corner: its metal remains there, and the root is fused less. A more upright handle
+    // does the opposite.
     const Json flat = tee.weldIf("flat-torch", "work_angle=15");
     const Json steep = tee.weldIf("steep-torch", "work_angle=-15");
     const auto standingMore = [](const Json& result) { return weldOf(result, "leg2_mm") - weldOf(result, "leg1_mm"); };

@@ -1,4 +1,4 @@
-// Locks of files: one holder at a time, nothing left behind.
+// Locks of files: one holder at a time, and no file left behind.
 #include "core/base/error.hpp"
 #include "core/base/file_lock.hpp"
 #include "tests/support/catch.hpp"
@@ -15,11 +15,11 @@
 
 namespace {
 
-int refusedLock = 0; ///< errno of every flock(); 0: as the system has it
+int refusedLock = 0; ///< errno of every flock(); 0 for the system's own result
 
 } // namespace
 
-/// Stands before the C library's.
+/// Replaces the C library's function.
 extern "C" int flock(int descriptor, int operation) noexcept {
     if (refusedLock != 0) {
         errno = refusedLock;
@@ -52,7 +52,7 @@ TEST_CASE("a turn at a file comes when the other program has had its own; what e
             const FileTurn turn(file);
             std::string text;
             std::getline(std::ifstream(file), text);
-            std::this_thread::sleep_for(std::chrono::milliseconds(1)); // in which the other one could read
+            std::this_thread::sleep_for(std::chrono::milliseconds(1)); // time in which another process could read
             std::ofstream(file) << text << 'x';
         }
     };
@@ -78,7 +78,7 @@ TEST_CASE("a file system without locks is told, and no reason to refuse", "[base
         CHECK_THAT(lock.warning(), containsText(folder.string()) && containsText("cannot be locked"));
         CHECK_FALSE(turn.warning().empty());
     }
-    refusedLock = EACCES; // how some shares say that another holds it
+    refusedLock = EACCES; // errno of some shares for a lock that another process holds
     CHECK_THROWS_WITH(FileLock(folder / "a.lock", folder), containsText("another program is writing here"));
     refusedLock = 0;
 }

@@ -1,4 +1,4 @@
-// Misspelled names: how far apart two words are, and which known name is meant.
+// Misspelled names: edit distance of two words, and the known name that is meant.
 #include "core/base/likely_name.hpp"
 #include "tests/support/catch.hpp"
 
@@ -21,9 +21,9 @@ TEST_CASE("a misspelled name is recognised, and a strange or ambiguous one is no
     CHECK(likelyName("Tee-Fillet", known) == "tee-fillet");
     CHECK(likelyName("votlage", known) == "voltage");
     CHECK(likelyName("gmaw-baed", known) == "gmaw-bead");
-    CHECK(likelyName("tee", known) == "tee-fillet"); // its beginning
-    CHECK(likelyName("g", known).empty());           // of two
-    CHECK(likelyName("gxaw-bead", known).empty());   // as near to one as to the other
+    CHECK(likelyName("tee", known) == "tee-fillet"); // a unique prefix
+    CHECK(likelyName("g", known).empty());           // a prefix of two names
+    CHECK(likelyName("gxaw-bead", known).empty());   // equally near to both
     CHECK(likelyName("knitting", known).empty());
     CHECK(likelyName("", known).empty());
     CHECK(likelyName("lap", {}).empty());

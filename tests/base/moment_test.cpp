@@ -1,4 +1,4 @@
-// Moments as text: the same moment from every zone, and what is no moment.
+// Times as text: equality across time zones, and text that is no time.
 #include "core/base/moment.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"

@@ -1,4 +1,4 @@
-// Whole files or none: what a full disk, a size limit, a device, a link and a missing folder make of a file.
+// Whole files or none: effects of a full disk, a size limit, a device, a link and a missing folder.
 #include "core/base/error.hpp"
 #include "core/base/image.hpp"
 #include "core/base/output_file.hpp"
@@ -16,11 +16,11 @@
 
 namespace {
 
-int failedSync = 0; ///< errno of every fsync(); 0: as the system has it
+int failedSync = 0; ///< errno of every fsync(); 0 for the system's own result
 
 } // namespace
 
-/// Stands before the C library's.
+/// Replaces the C library's function.
 extern "C" int fsync(int descriptor) {
     if (failedSync != 0) {
         errno = failedSync;
@@ -46,7 +46,7 @@ size_t filesIn(const fs::path& folder) {
 }
 
 #ifndef _WIN32
-/// While it lives no file of this process may grow beyond `bytes`: a disk that fills midway.
+/// During its lifetime no file of this process may grow beyond `bytes`: a disk that fills midway.
 class SizeLimit {
   public:
     explicit SizeLimit(rlim_t bytes) : signal_(std::signal(SIGXFSZ, SIG_IGN)) {
@@ -85,7 +85,7 @@ TEST_CASE("a file is replaced as a whole, keeps its permissions and leaves nothi
     const fs::path file = folder / "a.txt";
     writeFile(file, "first");
     fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
-    const fs::perms before = fs::status(file).permissions(); // Windows keeps less of them
+    const fs::perms before = fs::status(file).permissions(); // Windows has fewer permissions
     writeFile(file, std::string("second\0part", 11));
     CHECK(readTextFile(file) == std::string("second\0part", 11));
     CHECK(fs::status(file).permissions() == before);
@@ -115,7 +115,7 @@ TEST_CASE("asking whether a file can be written changes nothing", "[base]") {
     CHECK(filesIn(folder) == 1);
 }
 
-#ifndef _WIN32 // where MinGW's library makes no links, and a disk is not filled so easily
+#ifndef _WIN32 // MinGW's library makes no links, and filling a disk is harder there
 
 TEST_CASE("a link stays a link, and what it names is replaced", "[base]") {
     const fs::path folder = test::scratchFolder("link");

@@ -57,7 +57,7 @@ TEST_CASE("pictures go where user-dirs.dirs says", "[base]") {
           "/home/of-a-test/Bilder");
     CHECK(placeFor("  XDG_PICTURES_DIR=\"$HOME/Im\xC3\xA1genes\"") == "/home/of-a-test/Im\xC3\xA1genes");
     CHECK(placeFor("XDG_PICTURES_DIR=\"/data/our \\\"own\\\"\"\n") == "/data/our \"own\"");
-    CHECK(placeFor("XDG_PICTURES_DIR=\"$HOME/\"\n") == "/home/of-a-test/"); // switched off: the home itself
+    CHECK(placeFor("XDG_PICTURES_DIR=\"$HOME/\"\n") == "/home/of-a-test/"); // a switched-off folder is the home itself
     for (const char* unusable : {"", "#XDG_PICTURES_DIR=\"$HOME/Bilder\"\n", "XDG_PICTURES_DIR=\"Bilder\"\n",
                                  "XDG_PICTURES_DIR=\"$HOME/Bilder\n", "XDG_PICTURES_DIR=\"$HOMEX/Bilder\"\n",
                                  "XDG_PICTURES_DIRS=\"/x\"\n", "XDG_PICTURES_DIR=$HOME/Bilder\n"}) {

@@ -13,7 +13,7 @@ TableReader tableOf(std::string text) {
     return TableReader(std::move(text), "t.csv", [](std::string_view name) { return name == "a" || name == "b"; });
 }
 
-/// All rows and comments as "LINE:cell|cell".
+/// Returns all rows and comments as "LINE:cell|cell".
 std::vector<std::string> itemsOf(TableReader table) {
     std::vector<std::string> items;
     for (TableReader::Item item = table.next(); item != TableReader::Item::end; item = table.next()) {
@@ -58,7 +58,7 @@ TEST_CASE("quoted cells hold separators, quotes and ends of line", "[base]") {
           Items{"2:1;\"x\"|two\nlines", "4:3|4"});
     CHECK_THAT(refusalOf("a,b\n1,\"2\n3,4\n"), containsText("t.csv:2: a quote in cell 2 does not end"));
     CHECK_THAT(refusalOf("a,b\n\"1\"2,3\n"), containsText("t.csv:2: the text goes on behind the quotes of cell 1"));
-    CHECK(itemsOf(tableOf("a,b\n1\",2\n")) == Items{"2:1\"|2"}); // inches: no quote begins inside of a cell
+    CHECK(itemsOf(tableOf("a,b\n1\",2\n")) == Items{"2:1\"|2"}); // inches: no quote begins inside a cell
 }
 
 TEST_CASE("separator and header are found by the names, or by what is most frequent", "[base]") {
@@ -97,11 +97,11 @@ TEST_CASE("texts are UTF-8, UTF-16 with its mark or Windows-1252", "[base]") {
     CHECK(decoded("gr\xFCn").encoding == TextEncoding::windows1252);
     CHECK(decoded(std::string_view("\xFF\xFE\x61\x00\xAC\x20\x3D\xD8\x00\xDE", 10)).text ==
           "a\xE2\x82\xAC\xF0\x9F\x98\x80");
-    CHECK(decoded(std::string_view("\xFE\xFF\x00\x61\xD8\x3D", 6)).text == "a\xEF\xBF\xBD"); // half of a pair
+    CHECK(decoded(std::string_view("\xFE\xFF\x00\x61\xD8\x3D", 6)).text == "a\xEF\xBF\xBD"); // half of a surrogate pair
     CHECK_THROWS_WITH(decoded("\xFF\xFE\x61"), containsText("t.txt: is UTF-16 and ends with half a character"));
     CHECK_THROWS_WITH(decoded(std::string_view("a\0b\0c\0", 6)), containsText("looks like UTF-16 without a mark"));
     CHECK(utf8Length("a\xC3\xBC\xC3") == 3);
-    CHECK(utf8Length("\xC0\x80") == 0);         // longer than needed
-    CHECK(utf8Length("\xED\xA0\x80") == 0);     // half of a pair
+    CHECK(utf8Length("\xC0\x80") == 0);         // overlong
+    CHECK(utf8Length("\xED\xA0\x80") == 0);     // half of a surrogate pair
     CHECK(utf8Length("\xF4\x90\x80\x80") == 0); // beyond U+10FFFF
 }

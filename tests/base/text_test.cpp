@@ -1,4 +1,4 @@
-// Texts of files and messages: what is read, what is refused, and what a terminal gets to see.
+// Texts of files and messages: accepted and refused input, and text made safe for a terminal.
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "core/base/toml_table.hpp"
@@ -29,7 +29,7 @@ TEST_CASE("a text begins with a capital, with an umlaut too") {
     CHECK(capitalised("wire feed") == "Wire feed");
     CHECK(capitalised("\u00FCberhitzt") == "\u00DCberhitzt");
     CHECK(capitalised("\u00DCberhitzt") == "\u00DCberhitzt");
-    CHECK(capitalised("\u00F7") == "\u00F7"); // no letter
+    CHECK(capitalised("\u00F7") == "\u00F7"); // not a letter
     CHECK(capitalised("3 mm") == "3 mm");
     CHECK(capitalised("").empty());
 }
@@ -40,15 +40,15 @@ TEST_CASE("nothing of a file moves a terminal's cursor or breaks its text", "[ba
     CHECK(printable("two\nlines\tand\rmore", 100) == "two lines and more");
     CHECK(printable("\xff\xc3", 100) == "\\xff\\xc3");
     CHECK(printable("\xc0\x80 \xed\xa0\x80 \xf5\x80\x80\x80", 100) ==
-          "\\xc0\\x80 \\xed\\xa0\\x80 \\xf5\\x80\\x80\\x80"); // overlong, half of a pair, beyond the last
+          "\\xc0\\x80 \\xed\\xa0\\x80 \\xf5\\x80\\x80\\x80"); // overlong, half of a surrogate pair, beyond U+10FFFF
     CHECK(printable("\xc2\x9b"
                     "1m",
                     100) == "\\xc2\\x9b"
-                            "1m"); // a control character in two bytes
+                            "1m"); // control character in two bytes
     CHECK(printable("\xe2\x80\xae"
                     "txt",
                     100) == "\\xe2\\x80\\xae"
-                            "txt"); // turns the direction of writing
+                            "txt"); // changes the writing direction
     CHECK(printable(std::string("nul\0l", 5), 100) == "nul\\x00l");
     CHECK(quote("x") == "'x'");
 }
@@ -104,7 +104,7 @@ TEST_CASE("TOML that is nested without end is refused with its line before it is
     for (const std::string& deep : {"x = 1\na = " + repeated("[", 40000), "x = 1\na = " + repeated("{a=", 40000),
                                     "x = 1\na = " + repeated("[{a=", 20000)})
         CHECK_THROWS_WITH(parse(deep), containsText("deep.toml:2: the brackets are nested too deeply"));
-    // Strings and comments have as many dots and brackets as they like, and hide nothing behind them.
+    // Strings and comments may have any number of dots and brackets and hide no fault behind them.
     const std::string dots = repeated(".", 100) + repeated("[", 100);
     CHECK_NOTHROW(parse("a = \"" + dots + "\\\"" + dots + "\" # " + dots + "\nb = '" + dots + "\\'\nc = 1.5\n"));
     CHECK_NOTHROW(

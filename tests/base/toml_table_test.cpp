@@ -1,4 +1,4 @@
-// TOML files with the faults that people make by hand are refused in words of their own.
+// TOML files with typical faults of hand editing are refused with specific messages.
 #include "core/base/toml_table.hpp"
 
 #include "core/base/error.hpp"
@@ -34,6 +34,6 @@ TEST_CASE("typographic quotes, a decimal comma and other encodings have a senten
                                           4)),
                containsText("l.toml:1: is UTF-16; expected"));
     CHECK(refusalOf("title = \"\u201EKehlnaht\u201C\"\na = [1, 2]\n") == "taken");
-    CHECK_THAT(refusalOf("a = \"\u201E\" b\n"), !containsText("typographic")); // within a text it is no fault
+    CHECK_THAT(refusalOf("a = \"\u201E\" b\n"), !containsText("typographic")); // correct inside a string
     CHECK_THAT(refusalOf("a = 5,x\n"), !containsText("decimal"));
 }

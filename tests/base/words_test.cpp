@@ -1,4 +1,4 @@
-// Sentences are found by key, filled by name, and answered in English where a language lacks them.
+// Sentences by key: lookup, named places, and English where a language lacks one.
 #include "core/base/words.hpp"
 
 #include "core/base/error.hpp"
@@ -73,7 +73,7 @@ TEST_CASE("numbers of sentences have fixed digits and no negative zero", "[base]
     const auto shown = [](double value, int digits, bool sign = false) {
         return std::string(std::string_view(PhraseNumber(value, digits, sign)));
     };
-    CHECK(shown(7.55, 1) == "7.5"); // as printf rounds it
+    CHECK(shown(7.55, 1) == "7.5"); // printf's rounding
     CHECK(shown(-0.04, 1) == "0.0");
     CHECK(shown(12, 0, true) == "+12");
     CHECK(shown(-12.5, 1, true) == "-12.5");
@@ -87,7 +87,7 @@ TEST_CASE("a number that drops its zeros has the language's decimal mark", "[bas
     CHECK(comma.withDecimalMark("-0.5") == "-0,5");
     CHECK(comma.withDecimalMark("12") == "12");
     CHECK(WrittenLanguage("a = \"b\"\n").read().withDecimalMark("0.5") == "0.5");
-    CHECK(withDecimalMark("1.25") == "1.25"); // in English
+    CHECK(withDecimalMark("1.25") == "1.25"); // English has a point
 }
 
 TEST_CASE("a language without a file is refused with those that have one", "[base][words]") {

@@ -1,4 +1,4 @@
-// The meter of a thread's work: processor time counts for the right place, sleeping does not count.
+// The meter of a thread's work: it assigns processor time to the right place and does not count sleep.
 #include "core/base/work_meter.hpp"
 #include "tests/support/catch.hpp"
 
@@ -16,7 +16,7 @@ namespace {
 #ifdef _WIN32
 constexpr double kUnit = 0.1;   // s
 constexpr int kCalls = 20;      // each takes a tick
-constexpr double kTick = 0.016; // s; one may end between this test's look at the time and the meter's
+constexpr double kTick = 0.016; // s; a tick may end between the two readings, this test's and the meter's
 #else
 constexpr double kUnit = 0.01;
 constexpr int kCalls = 1000;
@@ -29,7 +29,7 @@ double threadSeconds() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Keeps the processor for so much of its time, however much of the clock's that takes.
+/// Uses this amount of processor time, however long it takes by the clock.
 void work(double seconds) {
     for (const double end = threadSeconds() + seconds; threadSeconds() < end;) {
     }
@@ -49,7 +49,8 @@ TEST_CASE("work is counted where it is done, by the processor's time") {
         work(0.5 * kUnit);
     }
     meter.end();
-    // A busy machine takes more of the processor than it was asked for: each place has at most what the others left.
+    // A busy machine gives a thread more processor time than requested: each place has at most the time that the others
+    // leave.
     const double spent = threadSeconds() - before;
     CHECK(meter.cpuSeconds(WorkPlace::own) > 1.95 * kUnit);
     CHECK(meter.cpuSeconds(WorkPlace::own) < spent - 1.4 * kUnit);

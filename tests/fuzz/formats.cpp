@@ -42,12 +42,12 @@ void addFolder(Texts& texts, const fs::path& folder) {
     std::vector<fs::path> files;
     for (const auto& entry : fs::directory_iterator(folder))
         if (entry.is_regular_file()) files.push_back(entry.path());
-    std::sort(files.begin(), files.end()); // the order of a folder differs between machines
+    std::sort(files.begin(), files.end()); // folders have different orders on different machines
     for (const fs::path& file : files)
         texts.push_back(readTextFile(file));
 }
 
-/// The texts that are kept for this format, and those of a folder of the source tree.
+/// Returns the stored texts of this format and those of a folder of the source tree.
 Texts corpusOf(const char* name, const char* shipped) {
     Texts texts;
     addFolder(texts, testFolder() / "fuzz" / "corpus" / name);
@@ -55,7 +55,7 @@ Texts corpusOf(const char* name, const char* shipped) {
     return texts;
 }
 
-/// Every value reads back from its own text, so it lies in its range.
+/// Checks that every value reads back from its own text, so that it is in its range.
 void requireInRange(const ParameterList& list) {
     for (const Parameter& p : list)
         setParameter(list, p.key, parameterText(p), "taken, but out of range");
@@ -94,7 +94,7 @@ Answer readMaterialFile(const fs::path& file) {
     return Answer::taken;
 }
 
-/// Its limits are numbers, and a weld can be judged by them.
+/// Checks that the limits are numbers and that a weld can be judged by them.
 Answer readAcceptanceFile(const fs::path& file) {
     const Acceptance acceptance = readAcceptance(file);
     require(!acceptance.items.empty(), "an acceptance has no item");
@@ -142,7 +142,7 @@ Answer readPath(const fs::path& file) {
     return Answer::taken;
 }
 
-/// Its own lines, on the lesson that it is of.
+/// Reads the record's own lines and applies them to its lesson.
 Answer readRecord(const fs::path& file) {
     static const Lesson standard = loadLesson(std::string(kDefaultLesson));
     const auto attempt = readRecordedAttempt(file);
@@ -169,7 +169,7 @@ Texts recordingTexts() {
     return texts;
 }
 
-/// As it is, and with hashes that fit: else every damage ends at the first hash.
+/// Reads the file as it is and with corrected hashes; else every damage ends at the first hash.
 Answer readRecordingFile(const fs::path& file) {
     static const Lesson standard = loadLesson(std::string(kDefaultLesson));
     const fs::path sealed = fs::path(file).replace_filename("sealed.meltrec");
@@ -195,7 +195,7 @@ Answer readRecordingFile(const fs::path& file) {
     return answer;
 }
 
-/// The kept checks and those of the shipped lessons, which find their paths from anywhere.
+/// Returns the stored checks and those of the shipped lessons, which find their paths from anywhere.
 Texts checkTexts() {
     Texts texts = corpusOf("check", nullptr);
     std::vector<fs::path> folders;
@@ -216,7 +216,7 @@ Texts checkTexts() {
     return texts;
 }
 
-/// Its lesson is sound, the bent path has places, and an attempt without anything can be held against it.
+/// Checks that the lesson is sound, that the bent path has places, and that an empty attempt can be compared with it.
 Answer readCheckFile(const fs::path& file) {
     LessonCheck check = readLessonCheck(file, testFolder().parent_path() / "app" / "data" / "lessons");
     requireInRange(check.lesson.parameters());
@@ -284,7 +284,7 @@ Answer readTip(const fs::path& file) {
     return Answer::taken;
 }
 
-/// A word a line.
+/// Splits the text into words, one per line.
 std::vector<std::string> wordsIn(const std::string& text) {
     std::vector<std::string> words;
     for (const std::string_view word : splitText(text, '\n'))
@@ -297,7 +297,7 @@ Answer readWords(const fs::path& file) {
     return Answer::taken;
 }
 
-/// A short way of the hand along the seam, with its arc burning.
+/// A short motion of the hand along the seam with a burning arc.
 std::vector<AttemptStep> anySteps() {
     std::vector<AttemptStep> steps(40);
     for (size_t i = 0; i < steps.size(); ++i) {
@@ -322,7 +322,7 @@ void requireSound(const ChangedPath& path) {
     }
 }
 
-/// A wish a line, of an attempt in one of four lessons: which, the text's length says.
+/// Reads wishes, one per line, for an attempt in one of four lessons, which the text's length selects.
 Answer readWishes(const fs::path& file) {
     static const std::array<Lesson, 4> lessons{loadLesson("gmaw-bead"), loadLesson("gtaw-rod"),
                                                loadLesson("tee-fillet"), loadLesson("classic")};

@@ -1,4 +1,4 @@
-// The formats of files that the program reads, each with what a reader must make of any bytes whatever.
+// The file formats that the program reads, each with the checks of its reader for arbitrary bytes.
 #pragma once
 
 #include <filesystem>
@@ -8,19 +8,19 @@
 
 namespace meltpool::test {
 
-/// What a reader did with an input.
+/// A reader's answer to an input.
 enum class Answer { taken, refused };
 
 struct Format {
     const char* name;
     const char* fileName;
     std::vector<std::string> (*corpus)();
-    /// Reads the file. Throws std::logic_error with a sentence when what was taken is unsound; InputError is the only
-    /// other exception that it may throw.
+    /// Reads the file. Throws std::logic_error with a sentence if accepted content is unsound; the only other permitted
+    /// exception is InputError.
     Answer (*read)(const std::filesystem::path& file);
 };
 
-/// Every format, the command line too.
+/// Returns every format, the command line included.
 std::span<const Format> formats();
 
 } // namespace meltpool::test

@@ -1,7 +1,7 @@
-// Every text format under random damage: a reader takes an input and what it made of it is sound, or it refuses it with
-// one printable sentence. Nothing else may happen.
+// Every text format under random damage: a reader accepts an input and its result is sound, or it refuses the input
+// with one printable sentence. All other outcomes are faults.
 //
-// An input depends on its format and number alone. A failure names both and keeps the input in the build folder;
+// An input depends on its format and number alone. A failure names both and leaves the input in the build folder;
 // MELTPOOL_FUZZ_FIRST=NUMBER begins there. MELTPOOL_FUZZ_SECONDS sets the time for each format.
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
@@ -25,7 +25,7 @@ using Clock = std::chrono::steady_clock;
 
 struct Report {
     std::uint64_t inputs = 0, taken = 0, refused = 0;
-    std::string fault; ///< empty: none
+    std::string fault; ///< empty without a fault
 };
 
 double environmentNumber(const char* name, double otherwise) {
@@ -33,7 +33,7 @@ double environmentNumber(const char* name, double otherwise) {
     return text == nullptr ? otherwise : parseDouble(text).value_or(otherwise);
 }
 
-/// Not writeFile(): bringing each input to the disk would take all the time.
+/// Writes without syncing, unlike writeFile(): a sync for each input would take all the time.
 void put(const fs::path& file, const std::string& text) {
     std::ofstream(file, std::ios::binary | std::ios::trunc) << text;
 }
@@ -44,7 +44,7 @@ std::string faultOfSentence(const std::string& sentence) {
     return printable(sentence, 3000) == sentence ? "" : "a sentence that is not printable: " + printable(sentence, 300);
 }
 
-/// What is wrong with how the reader met this input; empty: nothing.
+/// Returns the fault in the reader's answer to this input; empty if there is none.
 std::string faultOf(const test::Format& format, const fs::path& file, Report& report) {
     try {
         ++(format.read(file) == test::Answer::taken ? report.taken : report.refused);
@@ -77,7 +77,7 @@ Report fuzz(const test::Format& format, const fs::path& folder, double seconds) 
     return report;
 }
 
-/// All formats side by side, `seconds` long.
+/// Runs all formats in parallel for `seconds`.
 void fuzzAll(double seconds) {
     const auto formats = test::formats();
     std::vector<Report> reports(formats.size());
@@ -93,7 +93,7 @@ void fuzzAll(double seconds) {
         WARN(formats[i].name << ": " << report.inputs << " inputs, " << report.taken << " taken, " << report.refused
                              << " refused");
         CHECK(report.fault == "");
-        // Both ways out must have been tried.
+        // Both answers must occur.
         CHECK(report.taken > 0);
         CHECK(report.refused > 0);
     }

@@ -8,7 +8,7 @@ namespace meltpool::test {
 
 namespace {
 
-/// Values at which readers have been wrong before: ends of ranges and types, what is no number, what is no text.
+/// Values at which readers have failed: ends of ranges and types, non-numbers, invalid text.
 constexpr std::array<std::string_view, 50> kValues{"0",
                                                    "-0",
                                                    "1",
@@ -61,7 +61,7 @@ constexpr std::array<std::string_view, 50> kValues{"0",
                                                    "\xFF\xFE"};
 
 constexpr char kByteText[] = "0123456789.,;-+eE#=\n\r\t \"'[]{}_\\naixA\0\x01\x1b\x7f\xff\xc3\xed\xa0";
-constexpr std::string_view kBytes(kByteText, sizeof(kByteText) - 1); // one of them is 0
+constexpr std::string_view kBytes(kByteText, sizeof(kByteText) - 1); // one of the bytes is 0
 
 bool isWordByte(char c) {
     return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '-' ||

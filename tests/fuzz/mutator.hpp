@@ -8,20 +8,20 @@
 
 namespace meltpool::test {
 
-/// Makes inputs out of a corpus. The same corpus, seed and index give the same text on every machine.
+/// Makes inputs from a corpus. One corpus, seed and index give one text on every machine.
 class Mutator {
   public:
-    /// `corpus`: at least one text; words of all of them are put into each other's places.
+    /// `corpus` has at least one text; words of all of them are exchanged.
     explicit Mutator(std::vector<std::string> corpus);
 
-    /// Input number `index`: a text of the corpus with one to eight wounds.
+    /// Returns input number `index`: a text of the corpus with one to eight wounds.
     std::string input(std::uint64_t index);
 
   private:
     size_t below(size_t limit) { return limit == 0 ? 0 : static_cast<size_t>(random_() % limit); }
     const std::string& anyText() { return corpus_[below(corpus_.size())]; }
     std::string anyWord();
-    /// Where a word of `text` begins and ends.
+    /// Returns the begin and the end of a random word of `text`.
     std::pair<size_t, size_t> wordIn(const std::string& text);
     std::pair<size_t, size_t> lineIn(const std::string& text);
 
