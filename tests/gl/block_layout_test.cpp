@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A copy of the shipped shaders in which `before` of `file` has become `after`.
+/// Copies the shipped shaders and replaces `before` in `file` by `after`.
 fs::path changedShaders(const std::string& file, const std::string& before, const std::string& after) {
     const fs::path folder = test::scratchFolder("other-shaders");
     fs::copy(test::testFolder() / ".." / "shaders", folder, fs::copy_options::recursive);
@@ -29,7 +29,7 @@ fs::path changedShaders(const std::string& file, const std::string& before, cons
     return folder;
 }
 
-/// The sentence that refuses `shader` after that change; empty where it is taken.
+/// Returns the sentence that refuses `shader` after that change; empty if the shader is accepted.
 std::string refusal(const std::string& shader, const std::string& file, const std::string& before,
                     const std::string& after) {
     ShaderLibrary library(changedShaders(file, before, after));
@@ -46,7 +46,7 @@ struct ShaderForm {
     Defines defines;
 };
 
-/// All shaders, each a program of its own, and the form of one that alone has a block.
+/// Returns all shaders, each as a program of its own, in the variant that contains a block if only one does.
 std::vector<ShaderForm> shippedShaders() {
     const fs::path root = test::testFolder() / ".." / "shaders";
     std::vector<ShaderForm> forms{{"surface/vertices.comp", {{"SURFACE_FREEZING", "1"}}}};
@@ -57,7 +57,7 @@ std::vector<ShaderForm> shippedShaders() {
     return forms;
 }
 
-/// The table with every struct a vector longer.
+/// Returns the table of structs, each longer by a vector.
 std::vector<SharedStruct> longerStructs() {
     std::vector<SharedStruct> structs(sharedStructs().begin(), sharedStructs().end());
     for (SharedStruct& each : structs)
@@ -110,7 +110,7 @@ TEST_CASE("all shipped shaders have the layout of this program, and each of thei
             if (!blockDifference(program->name(), block, longer).empty()) compared.insert(block.type);
         }
     }
-    // Without the structs that only others hold: of views, bodies and sources, and of the commands of a draw.
+    // Structs that exist only inside others are left out: views, bodies, sources, and draw commands.
     const std::set<std::string> parts{"ViewData",    "ShadowBox",      "TorchPart",   "RolledPlate",
                                       "OxideIsland", "HeatSourceData", "SurfaceDraw", "SurfaceDispatch"};
     for (const SharedStruct& each : sharedStructs()) {

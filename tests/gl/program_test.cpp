@@ -29,7 +29,7 @@ void main() {
 }
 )";
 
-/// A shader folder of its own that holds the shared headers and one shader.
+/// Makes a separate shader folder with the shared headers and one shader.
 std::filesystem::path shaderFolder(const std::string& shader) {
     const auto folder = test::scratchFolder("shaders");
     std::filesystem::copy(test::testFolder() / ".." / "shaders" / "shared", folder / "shared");
@@ -100,13 +100,13 @@ TEST_CASE("every dispatch is counted, and an indirect one takes its group counts
     CHECK(read[127] == 127 + 7);
     CHECK(read[128] == 0);
     program.dispatch(256, 64);
-    program.dispatch(0, 64); // nothing to run
+    program.dispatch(0, 64); // no work
     CHECK(dispatchCount() == before + 2);
 }
 
 TEST_CASE("where dispatches end at once, a thread of its own reaches buffers without the driver, which sees the same") {
     test::context();
-    if (!dispatchIsSynchronous()) return; // of a card's driver nothing is claimed
+    if (!dispatchIsSynchronous()) return; // a card's driver guarantees nothing here
     ShaderLibrary library(shaderFolder(kCountShader));
     const Program& program = library.compute("count.comp", {{"OFFSET", "7u"}});
     program.set("count", 256U);

@@ -1,4 +1,4 @@
-// Measured figures in the handbook equal those in tests/bench/results: a comment behind a figure names its place there.
+// Measured figures in the handbook against tests/bench/results: a comment after a figure names its place there.
 #include "core/base/text.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/places.hpp"
@@ -19,15 +19,15 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-constexpr size_t kFewestFigures = 25; ///< fewer: the comments no longer match kFigure
+constexpr size_t kFewestFigures = 25; ///< with fewer, the comments no longer match kFigure
 
 std::string textOf(const Json& value) {
     return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
-/// The number at the end of `steps`, which '/' separates; the largest of several. A step NAME goes to that member, and
-/// to all elements of an array. A step NAME=TEXT keeps the objects whose member NAME has that text. Nothing where no
-/// number is found, and where one of several is none.
+/// Returns the number at the end of the path `steps`, whose parts '/' separates; the largest of several. A step NAME
+/// goes to that member, and to all elements of an array. A step NAME=TEXT selects the objects whose member NAME has
+/// that text. Returns nothing if no number is found or if one of several is not a number.
 std::optional<double> findFigure(const Json& root, const std::string& steps) {
     std::vector<Json> found(1, root);
     for (const std::string_view step : splitText(steps, '/')) {
@@ -55,7 +55,7 @@ std::optional<double> findFigure(const Json& root, const std::string& steps) {
     return largest;
 }
 
-/// `value` with as many decimals as `shown` has.
+/// Returns `value` with as many decimals as `shown` has.
 std::string withDecimalsOf(const std::string& shown, double value) {
     const size_t point = shown.find('.');
     std::array<char, 400> text{};
@@ -64,8 +64,8 @@ std::string withDecimalsOf(const std::string& shown, double value) {
     return text.data();
 }
 
-/// The command that makes a file of results. Of `validate` they are called validate-FOLDER-MACHINE.json, of `bench`
-/// SUITE-MACHINE.json.
+/// Returns the command that makes a file of results. Files of `validate` are named validate-FOLDER-MACHINE.json, files
+/// of `bench` SUITE-MACHINE.json.
 std::string commandFor(const std::string& file) {
     const auto words = splitText(file, '-');
     const bool validates = words[0] == "validate" && words.size() > 1;
@@ -74,7 +74,7 @@ std::string commandFor(const std::string& file) {
            " --json tests/bench/results/" + file;
 }
 
-/// A page with the figures of the results, and a sentence for each that has none there.
+/// A page with the figures of the results, and a sentence for each figure without a result.
 struct FilledPage {
     std::string text;
     std::vector<std::string> changed, faults;
@@ -82,7 +82,7 @@ struct FilledPage {
 };
 
 FilledPage fillIn(const std::string& page, const fs::path& results) {
-    // NUMBER<!-- figure: FILE/STEPS -->; a number that is still to be filled in has question marks for its digits.
+    // The form is NUMBER<!-- figure: FILE/STEPS -->; an empty number has question marks for its digits.
     static const std::regex kFigure(R"((-?[0-9?]+(?:\.[0-9?]+)?)(<!-- figure: ([^/\n]+)/(.+?) -->))");
     FilledPage filled;
     auto rest = page.begin();
@@ -90,7 +90,7 @@ FilledPage fillIn(const std::string& page, const fs::path& results) {
         const std::string shown = (*mark)[1], file = (*mark)[3].str() + ".json", steps = (*mark)[4];
         ++filled.figures;
         filled.text.append(rest, (*mark)[0].first);
-        rest = (*mark)[2].first; // the comment stays
+        rest = (*mark)[2].first; // the comment remains
         std::optional<double> value;
         if (fs::exists(results / file)) value = findFigure(Json::parse(readTextFile(results / file)), steps);
         const std::string now = value ? withDecimalsOf(shown, *value) : shown;
@@ -132,7 +132,7 @@ TEST_CASE("a comment behind a figure names its place in the results", "[house]")
     CHECK(findFigure(results, "percent") == -3.46);
     CHECK(findFigure(results, "rows/what=a step/size=8/ms") == 1.5);
     CHECK(findFigure(results, "rows/what=a step/ms") == 2.5); // the larger one
-    CHECK_FALSE(findFigure(results, "rows/ms").has_value());  // one of them is no number
+    CHECK_FALSE(findFigure(results, "rows/ms").has_value());  // one value is not a number
     CHECK_FALSE(findFigure(results, "rows/what=no such/ms").has_value());
     CHECK(withDecimalsOf("?.?", -3.46) == "-3.5");
     CHECK(withDecimalsOf("12", 2.5001) == "3");

@@ -1,5 +1,5 @@
-// The order of the source tree: who may include whom, how many units a folder holds, how long a function and how large
-// a class is, that blocks shared by C++ and GLSL name their members, and that a process is asked for its traits.
+// The rules of the source tree: permitted includes, units per folder, lengths of functions, sizes of classes, named
+// members of blocks that C++ and GLSL share, and questions to a process's traits.
 #include "tests/house/source_scan.hpp"
 #include "tests/house/thermometers.hpp"
 #include "tests/support/catch.hpp"
@@ -23,7 +23,7 @@ constexpr int kMostLines = 70;
 constexpr int kMostPublicFunctions = 40;
 constexpr int kMostMembers = 30;
 
-/// A class beyond the bounds, with the counts that it may have until it is divided. They are only ever made smaller.
+/// A class beyond the bounds, with the counts permitted until it is divided. The counts only ever decrease.
 struct LargeClass {
     std::string_view name;
     int publicFunctions;
@@ -32,7 +32,7 @@ struct LargeClass {
 
 constexpr std::array<LargeClass, 0> kLargeClasses{};
 
-/// A record of values without functions, such as WeldStation. More values do not give it more jobs.
+/// True for a record of values without functions, such as WeldStation. More values do not give it more jobs.
 bool isRecord(const test::ClassSize& size) {
     return size.publicFunctions == 0;
 }
@@ -53,14 +53,14 @@ const std::vector<SourceFile>& shaderSources() {
     return files;
 }
 
-/// "core/metal" of "core/metal/heat/x.cpp", "app" of "app/desktop/x.cpp".
+/// Returns the layer of a file: "core/metal" for "core/metal/heat/x.cpp", "app" for "app/desktop/x.cpp".
 std::string floorOf(const std::string& path) {
     const size_t first = path.find('/');
     if (first == std::string::npos || path.compare(0, 5, "core/") != 0) return path.substr(0, first);
     return path.substr(0, path.find('/', first + 1));
 }
 
-/// The floors that each floor may include besides itself; app may include all.
+/// The layers that each layer may include apart from itself; app may include all.
 const std::map<std::string, std::set<std::string>>& floorsBelow() {
     static const std::map<std::string, std::set<std::string>> below{
         {"core/base", {}},
@@ -87,7 +87,7 @@ std::string place(const SourceFile& file, int line) {
     return file.path.generic_string() + ":" + std::to_string(line);
 }
 
-/// Which folder includes which, with the file and line of one such include.
+/// Includes between folders, with the file and line of one such include.
 using FolderGraph = std::map<std::string, std::map<std::string, std::string>>;
 
 FolderGraph folderGraph(const std::vector<SourceFile>& files) {
@@ -101,7 +101,7 @@ FolderGraph folderGraph(const std::vector<SourceFile>& files) {
     return graph;
 }
 
-/// The includes of a circle of folders that begins at `folder`; empty where there is none. Searches depth first.
+/// Finds a cycle of includes that begins at `folder`, by depth first search; its result is empty without one.
 class CircleSearch {
   public:
     explicit CircleSearch(const FolderGraph& graph) : graph_(graph) {}
@@ -200,11 +200,11 @@ TEST_CASE("the scanner counts public functions and members of classes") {
                   "    void h() {}\n    int x_ = 0, y_{1};\n};\n") == Found{{"A", 2, 2}});
     CHECK(classes("struct A : B<int> {\n    int a;\n    virtual void f() = 0;\n};\n") == Found{{"A", 1, 1}});
     CHECK(classes("class A final : public B {\n  protected:\n    int f();\n};") == Found{{"A", 0, 0}});
-    // Parentheses and commas that are of no function and no second member.
+    // Parentheses and commas outside functions and member lists do not count.
     CHECK(classes("struct A {\n    std::function<void(int, int)> a;\n    std::map<int, B<C>> b = f(1, 2);\n"
                   "    int (*c)(int);\n    std::function<int()> d{};\n    glm::vec3 e{1, f(2), 3};\n"
                   "    alignas(16) int g;\n    unsigned h : 3;\n};\n") == Found{{"A", 0, 7}});
-    // What belongs to no object, or to none that may use it.
+    // Members that belong to no object, or that no object may use, do not count.
     CHECK(classes("struct A {\n    static constexpr int a = f(1);\n    static int b;\n    using C = int;\n"
                   "    friend bool operator==(A, A) = default;\n    friend void g(A) {}\n    class D;\n"
                   "    enum class E { one, two };\n    A(const A&) = delete;\n    static A make();\n};\n") ==
@@ -218,7 +218,7 @@ TEST_CASE("the scanner counts public functions and members of classes") {
     CHECK(classes("namespace a {\ntemplate <class T, int N = 3>\nclass A {\n  public:\n    template <class U>\n    "
                   "void f(U u) {}\n"
                   "};\n}\nstruct B::C {\n    int a;\n};\n") == Found{{"A", 1, 0}, {"B::C", 0, 1}});
-    // Types within a type.
+    // Nested types count for themselves.
     CHECK(classes("class A {\n    struct B {\n        int c;\n    };\n    struct {\n        int d;\n    } e, f;\n    "
                   "enum { g } h;\n"
                   "    union U {\n        int i;\n        float j;\n    };\n};\n") ==
@@ -324,7 +324,7 @@ TEST_CASE("no function is longer than 70 lines") {
     size_t functions = 0;
     for (const SourceFile& file : files)
         for (const test::FunctionLength& function : test::findFunctions(file.text)) {
-            if (function.head.rfind("TEST_CASE", 0) == 0) continue; // a list of checks
+            if (function.head.rfind("TEST_CASE", 0) == 0) continue; // a test case is a list of checks
             ++functions;
             INFO(place(file, function.line) << ": " << function.head << "has " << function.lines << " lines");
             CHECK(function.lines <= kMostLines);

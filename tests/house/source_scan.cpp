@@ -11,7 +11,7 @@ namespace meltpool::test {
 
 namespace {
 
-/// Replaces a range by spaces but keeps its line ends, so that lines keep their numbers.
+/// Replaces a range by spaces except for its line ends, so that lines keep their numbers.
 void blank(std::string& text, size_t begin, size_t end) {
     for (size_t i = begin; i < std::min(end, text.size()); ++i)
         if (text[i] != '\n') text[i] = ' ';
@@ -28,7 +28,7 @@ size_t endOfQuoted(const std::string& text, size_t begin) {
     return text.size();
 }
 
-/// End of a raw string whose first quote stands at `begin`.
+/// Returns the end of a raw string whose first quote is at `begin`.
 size_t endOfRawString(const std::string& text, size_t begin) {
     const size_t open = text.find('(', begin);
     if (open == std::string::npos) return text.size();
@@ -37,7 +37,7 @@ size_t endOfRawString(const std::string& text, size_t begin) {
     return end == std::string::npos ? text.size() : end + close.size();
 }
 
-/// End of a preprocessor directive with its continued lines.
+/// Returns the end of a preprocessor directive with its continued lines.
 size_t endOfDirective(const std::string& text, size_t begin) {
     size_t end = text.find('\n', begin);
     while (end != std::string::npos && end > 0 && text[end - 1] == '\\')
@@ -51,13 +51,13 @@ bool startsLine(const std::string& text, size_t at) {
     return at == 0 || text[at - 1] == '\n';
 }
 
-/// An apostrophe between digits separates groups of digits: 1'000.
+/// True for an apostrophe between digits, which separates groups of digits: 1'000.
 bool separatesDigits(const std::string& text, size_t at) {
     return at > 0 && at + 1 < text.size() && std::isxdigit(static_cast<unsigned char>(text[at - 1])) != 0 &&
            std::isxdigit(static_cast<unsigned char>(text[at + 1])) != 0;
 }
 
-/// The text without comments, literals and preprocessor lines.
+/// Returns the text without comments, literals and preprocessor lines.
 std::string onlyCode(std::string_view source) {
     std::string text(source);
     for (size_t i = 0; i < text.size();) {
@@ -94,7 +94,7 @@ std::string onOneLine(std::string_view text) {
     return line;
 }
 
-/// Whether the text has a `wanted` outside of all parentheses.
+/// True if the text has a `wanted` outside all parentheses.
 bool hasOutsideParentheses(std::string_view text, char wanted) {
     int depth = 0;
     for (const char c : text) {
@@ -106,7 +106,8 @@ bool hasOutsideParentheses(std::string_view text, char wanted) {
 
 enum class Brace { function, scope, initialiser };
 
-/// What a brace after this declaration opens. Scopes hold further declarations; initialisers hold none.
+/// Returns the kind of the scope that a brace after this declaration opens. Scopes contain further declarations;
+/// initialisers contain none.
 Brace kindOf(std::string head) {
     static const std::regex parameters(R"(template\s*<[^>]*>)");
     static const std::regex scope(
@@ -158,7 +159,7 @@ class FunctionScanner {
             return;
         }
         if (bodyDepth_ != 0 && closed != bodyDepth_) return;
-        // After the braces of a constructor's member initialiser its body still follows.
+        // A constructor's body follows the braces of its member initialiser.
         const size_t next = code_.find_first_not_of(" \t\n", at + 1);
         const bool member = bodyDepth_ != 0 && next != std::string::npos && (code_[next] == ',' || code_[next] == '{');
         if (bodyDepth_ != 0 && !member) report(at);
@@ -177,12 +178,12 @@ class FunctionScanner {
     std::vector<FunctionLength> found_;
     size_t headBegin_ = 0;
     int depth_ = 0;
-    int bodyDepth_ = 0;    ///< depth of braces inside the function that is open; 0: none
-    int ignoredDepth_ = 0; ///< the same of an initialiser
+    int bodyDepth_ = 0;    ///< depth of braces inside the open function; 0 outside functions
+    int ignoredDepth_ = 0; ///< depth of braces inside an initialiser
     int parentheses_ = 0;
 };
 
-/// The text without the word `template` and without <..>, whose parentheses and commas do not count.
+/// Returns the text without the word `template` and without <..>, whose parentheses and commas do not count.
 std::string withoutTemplateArguments(const std::string& text) {
     static const std::regex innermost(R"(([A-Za-z0-9_])\s*<[^<>;]*>)"), word(R"(\btemplate\b\s*)");
     std::string before, after = text;
@@ -193,7 +194,7 @@ std::string withoutTemplateArguments(const std::string& text) {
     return std::regex_replace(after, word, "");
 }
 
-/// Declarations of one class, counted.
+/// The declarations of one class, counted.
 class ClassBody {
   public:
     explicit ClassBody(bool isPublic) : public_(isPublic) {}
@@ -202,10 +203,11 @@ class ClassBody {
     int publicFunctions() const { return publicFunctions_; }
     int members() const { return members_; }
 
-    /// A function with its body.
+    /// Counts a function with its body.
     void takeFunction() { publicFunctions_ += public_ ? 1 : 0; }
 
-    /// A declaration on one line, without what is in braces; where it follows a nested type, only the names behind it.
+    /// Counts a declaration on one line, without the contents of braces; after a nested type it holds only the names
+    /// behind the type.
     void take(const std::string& declaration, bool behindType) {
         static const std::regex none(R"(\s*((using|typedef|friend|static_assert|enum)\b.*)?)");
         static const std::regex forward(R"(\s*(class|struct|union)\s+\w+\s*)");
@@ -253,10 +255,10 @@ class ClassScanner {
     }
 
   private:
-    /// The declarations from `begin` to `end`, in the class `inside` of the name `outer` or, where that is null, in a
-    /// namespace.
+    /// Walks the declarations from `begin` to `end`, in the class `inside` of the name `outer` or, where that is null,
+    /// in a namespace.
     void declarations(size_t begin, size_t end, const std::string& outer, ClassBody* inside) {
-        std::string head; // of the declaration, since its begin
+        std::string head; // text of the declaration from its begin
         bool behindType = false;
         const auto finish = [&] {
             head.clear();
@@ -291,7 +293,8 @@ class ClassScanner {
         }
     }
 
-    /// The class, namespace or enumeration between two braces. True for a type, behind which names may follow.
+    /// Walks a class, namespace or enumeration between two braces. Returns true for a type, after which names may
+    /// follow.
     bool scope(size_t open, size_t close, const std::string& head, const std::string& outer, ClassBody* inside) {
         static const std::regex type(R"((?:^|[^\w])(class|struct|union)\s+((?:alignas\s*\([^)]*\)\s*)?)([\w:]*))");
         static const std::regex enumeration(R"(\benum\b)");
@@ -312,11 +315,11 @@ class ClassScanner {
 
     static Brace kindOfHead(const std::string& head) {
         const auto open = std::count(head.begin(), head.end(), '('), closed = std::count(head.begin(), head.end(), ')');
-        if (open != closed) return Brace::initialiser; // of a default argument
+        if (open != closed) return Brace::initialiser; // inside a default argument
         return kindOf(withoutTemplateArguments(onOneLine(head)));
     }
 
-    /// Whether a label of access ends at `at`; it then holds for what follows.
+    /// True if an access label ends at `at`; the label then applies to the following members.
     bool setsAccess(const std::string& head, size_t at, ClassBody& body) const {
         if (code_.compare(at, 2, "::") == 0 || (at > 0 && code_[at - 1] == ':')) return false;
         const std::string word = onOneLine(head);
@@ -336,7 +339,7 @@ class ClassScanner {
         return code_.size();
     }
 
-    /// Whether a constructor goes on behind the brace at `close`.
+    /// True if a constructor continues after the brace at `close`.
     bool continues(size_t close) const {
         const size_t next = code_.find_first_not_of(" \t\n", close + 1);
         return next != std::string::npos && (code_[next] == ',' || code_[next] == '{');
@@ -346,9 +349,9 @@ class ClassScanner {
     std::vector<ClassSize> found_;
 };
 
-/// The distinct names of components in a comment: "xyz position, w temperature" has two.
+/// Returns the distinct component names in a comment: "xyz position, w temperature" has two.
 std::set<std::string> componentsNamed(const std::string& comment) {
-    static const std::regex product(R"([0-9)]\s*x\s*[0-9(])"); // 4 x 4
+    static const std::regex product(R"([0-9)]\s*x\s*[0-9(])"); // a product such as 4 x 4
     static const std::regex component(R"(\b(x|y|z|w|xy|yz|zw|xyz|yzw|rgb|rg|ba)\b(?!-))");
     const std::string text = std::regex_replace(comment, product, "");
     std::set<std::string> names;

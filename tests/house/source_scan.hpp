@@ -1,5 +1,5 @@
-// Facts of source files for the house test: includes, lengths of functions, sizes of classes, comments that give the
-// components of a vector different meanings.
+// Scanner of source files for the house test: includes, lengths of functions, sizes of classes, and vector comments
+// with several meanings.
 #pragma once
 
 #include <filesystem>
@@ -15,13 +15,13 @@ struct SourceFile {
     std::string text;
 };
 
-/// Every file below `folders` of the tree at `root` that has one of these extensions (".cpp"), sorted by path.
+/// Returns every file below `folders` of the tree at `root` that has one of these extensions (".cpp"), sorted by path.
 std::vector<SourceFile> readSources(const std::filesystem::path& root, const std::vector<std::string_view>& folders,
                                     const std::vector<std::string_view>& extensions);
 
 /// An #include "..." of a file.
 struct Include {
-    int line = 0; ///< from 1
+    int line = 0; ///< counted from 1
     std::string path;
 };
 std::vector<Include> findIncludes(std::string_view text);
@@ -30,29 +30,29 @@ std::vector<Include> findIncludes(std::string_view text);
 struct FunctionLength {
     int line = 0; ///< first line, from 1
     int lines = 0;
-    std::string head; ///< the declaration, on one line
+    std::string head; ///< declaration on one line
 };
 
-/// All functions of a C++ or GLSL text with their bodies. Functions and lambdas inside another function belong to the
-/// outer one. Preprocessor lines are ignored, so that both branches of an #if must have balanced braces.
+/// Returns all functions of a C++ or GLSL text with their bodies. Functions and lambdas inside another function belong
+/// to the outer one. Preprocessor lines are ignored, so that both branches of an #if must have balanced braces.
 std::vector<FunctionLength> findFunctions(std::string_view text);
 
 /// A class, struct or union with its body.
 struct ClassSize {
-    int line = 0;     ///< of its opening brace, from 1
-    std::string name; ///< with the classes around it: "Surface::Work"
+    int line = 0;     ///< line of its opening brace, from 1
+    std::string name; ///< name with the classes around it: "Surface::Work"
     int publicFunctions = 0;
     int members = 0;
 };
 
-/// All classes of a C++ text in the order of their ends, those inside of others too, but none inside of functions.
-/// Public functions are constructors, operators and overloads as well, but none that is deleted. Members are data of
-/// each object, of any access: `int a, b;` is two, and a nested class counts for itself. Macros, functions and
-/// preprocessor lines are treated as by findFunctions().
+/// Returns all classes of a C++ text in the order of their ends, nested ones included, those inside functions excluded.
+/// Public functions include constructors, operators and overloads but no deleted function. Members are data of each
+/// object, of any access: `int a, b;` is two, and a nested class counts for itself. Macros, functions and preprocessor
+/// lines are treated as by findFunctions().
 std::vector<ClassSize> findClasses(std::string_view text);
 
-/// Lines (from 1) of a shared header or shader that declare a vector member, uniform or varying whose comment gives its
-/// components different meanings: "vec4 origin; // xyz position, w temperature".
+/// Returns the lines (from 1) of a shared header or shader that declare a vector member, uniform or varying whose
+/// comment gives its components different meanings: "vec4 origin; // xyz position, w temperature".
 std::vector<int> findMixedVectors(std::string_view text);
 
 } // namespace meltpool::test

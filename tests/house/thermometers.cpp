@@ -9,7 +9,7 @@ namespace meltpool::test {
 
 namespace {
 
-/// "core/base/text" of "core/base/text.cpp".
+/// Returns the unit of a file: "core/base/text" for "core/base/text.cpp".
 std::string unitOf(const std::filesystem::path& file) {
     return (file.parent_path() / file.stem()).generic_string();
 }
@@ -23,7 +23,7 @@ int countOf(const std::string& text, const std::regex& pattern) {
         std::distance(std::sregex_iterator(text.begin(), text.end(), pattern), std::sregex_iterator()));
 }
 
-/// Headers that a header includes, itself and through others.
+/// The headers that each header includes, itself included, directly or through others.
 class Reach {
   public:
     explicit Reach(const std::vector<SourceFile>& files) {

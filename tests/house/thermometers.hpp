@@ -1,5 +1,5 @@
-// Counts that show how the source tree changes. A better reason beats each of them: only the house test's own bounds
-// are refused.
+// Counts that show how the source tree changes; a good reason overrides them, and only the house test's bounds are
+// enforced.
 #pragma once
 
 #include "tests/house/source_scan.hpp"
@@ -10,7 +10,7 @@
 
 namespace meltpool::test {
 
-/// Something of the tree and how many it has of what is counted.
+/// A part of the tree with its count.
 struct NamedCount {
     std::string name;
     int count = 0;
@@ -19,29 +19,29 @@ struct NamedCount {
 /// A class with the file of its body.
 struct LocatedClass {
     ClassSize size;
-    std::string place; ///< "core/surface/surface.cpp:40"
+    std::string place; ///< place in the form "core/surface/surface.cpp:40"
 };
 
-/// Units of each folder; a header and a source of one name are one unit.
+/// Returns the number of units of each folder; a header and a source of one name are one unit.
 std::map<std::string, int> unitsOfFolders(const std::vector<SourceFile>& files);
 
-/// Files of fewer than `lines` lines in units whose header only one other unit includes, with their lines. The name is
-/// "core/base/x.hpp, of core/gl/y".
+/// Returns files of fewer than `lines` lines, with their lines, in units whose header only one other unit includes. The
+/// name has the form "core/base/x.hpp, of core/gl/y".
 std::vector<NamedCount> smallFilesOfOneUser(const std::vector<SourceFile>& files, int lines);
 
-/// Every class of the files.
+/// Returns every class of the files.
 std::vector<LocatedClass> classesOf(const std::vector<SourceFile>& files);
 
-/// The `most` classes that have the most of either: public functions over `functions`, members over `members`.
+/// Returns the `most` classes that have the most of either: public functions over `functions`, members over `members`.
 std::vector<LocatedClass> largestClasses(std::vector<LocatedClass> classes, size_t most, int functions, int members);
 
-/// For every header the number of source files (.cpp) that include it, directly or through other headers.
+/// Returns for every header the number of source files (.cpp) that include it, directly or through other headers.
 std::map<std::string, int> dependentsOfHeaders(const std::vector<SourceFile>& files);
 
-/// Questions of the kind is<Gmaw>() outside of core/weld/process, which a new process would have to answer too.
+/// Returns the number of checks like is<Gmaw>() outside core/weld/process, which a new process would need too.
 int processChecks(const std::vector<SourceFile>& files);
 
-/// Names of drivers that draw on the processor, in code and comments outside of core/gl/software_driver.
+/// Returns the number of names of software drivers, in code and comments outside core/gl/software_driver.
 int softwareDriverWords(const std::vector<SourceFile>& files);
 
 } // namespace meltpool::test

@@ -1,4 +1,4 @@
-// Counts of the source tree: tried on small trees, listed of the real one.
+// Counts of the source tree: checked on small trees, listed for the real one.
 #include "tests/house/thermometers.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/places.hpp"
@@ -16,9 +16,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kFewUnits = 5;  ///< a folder of fewer is probably no room
-constexpr int kFewLines = 60; ///< a file of fewer with one user probably belongs to that user
-constexpr size_t kShown = 10; ///< classes and headers
+constexpr int kFewUnits = 5;  ///< folders with fewer units are probably too small
+constexpr int kFewLines = 60; ///< shorter files with one user probably belong to that user
+constexpr size_t kShown = 10; ///< number of listed classes and headers
 constexpr int kMostPublicFunctions = 40, kMostMembers = 30;
 
 std::vector<SourceFile> programSources(const std::filesystem::path& root) {
@@ -48,7 +48,7 @@ std::vector<LocatedClass> largest(const std::vector<SourceFile>& files) {
     return largestClasses(classesOf(files), kShown, kMostPublicFunctions, kMostMembers);
 }
 
-/// The headers with the most dependents.
+/// Returns the headers with the most dependents.
 std::vector<NamedCount> hottestHeaders(const std::map<std::string, int>& dependents) {
     std::vector<NamedCount> headers;
     for (const auto& [header, count] : dependents)
@@ -64,7 +64,7 @@ int dependentsOf(const std::map<std::string, int>& dependents, std::string_view 
     return 0;
 }
 
-/// Of the tree at `root`, which may be another version of this one.
+/// Returns the counts of the tree at `root`, which may be another version of this one.
 Json measured(const std::filesystem::path& root) {
     const std::vector<SourceFile> program = programSources(root);
     const std::vector<SourceFile> shaders =
@@ -135,7 +135,7 @@ TEST_CASE("small folders, small files and the largest classes are listed") {
     CHECK(classes.front().size.publicFunctions + classes.front().size.members > 10);
 }
 
-/// tests/house/thermometers.sh runs it and names tree and file.
+/// This test is run by tests/house/thermometers.sh, which names tree and file.
 TEST_CASE("the thermometers of a tree are written", "[.thermometers]") {
     Json json{{"commit", variable("MELTPOOL_COMMIT", "")}};
     json.update(measured(variable("MELTPOOL_TREE", sourceFolder().string())));

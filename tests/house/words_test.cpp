@@ -1,5 +1,5 @@
-// Every sentence that the program asks for stands in the English file, every one that stands there is asked for, and
-// other languages have the same keys and places.
+// Keys of sentences: the English file has exactly those that the program uses, and other languages have equal keys and
+// places.
 #include "core/base/words.hpp"
 #include "tests/house/source_scan.hpp"
 #include "tests/support/catch.hpp"
@@ -23,7 +23,7 @@ const Words& english() {
     return words;
 }
 
-/// What stands between quotation marks in the program's sources, by the first place where it stands.
+/// Returns the string literals of the program's sources, each with the first file that contains it.
 const std::map<std::string, std::string>& literals() {
     static const std::map<std::string, std::string> found = [] {
         static const std::regex literal(R"re("((?:[^"\\\n]|\\.)*)")re");
@@ -37,7 +37,7 @@ const std::map<std::string, std::string>& literals() {
     return found;
 }
 
-/// Keys that are asked for by name, with the file that does: phrase("KEY"), appendPhrase(text, "KEY") and counted ones.
+/// Returns keys used by name, with the file: phrase("KEY"), appendPhrase(text, "KEY") and counted ones.
 std::map<std::string, std::string> askedKeys() {
     static const std::regex asked(
         R"re(\b(phrase|phraseOfCount|findPhrase|appendPhrase)\(\s*(?:[\w.\->\[\]]+\s*,\s*)?"([a-z0-9_.]+)")re");
@@ -46,7 +46,7 @@ std::map<std::string, std::string> askedKeys() {
          test::readSources(test::sourceFolder(), {"core", "xr", "app"}, {".cpp", ".hpp"}))
         for (std::sregex_iterator each(file.text.begin(), file.text.end(), asked), end; each != end; ++each) {
             const std::string key = (*each)[2];
-            if (key.back() == '.') continue; // a name follows
+            if (key.back() == '.') continue; // a key's stem before a name
             if ((*each)[1] == "phraseOfCount") {
                 keys.emplace(key + ".one", file.path.generic_string());
                 keys.emplace(key + ".other", file.path.generic_string());
@@ -57,7 +57,7 @@ std::map<std::string, std::string> askedKeys() {
     return keys;
 }
 
-/// Whether some literal is this key, or what it begins with up to one of its points.
+/// True if some literal is this key or its beginning up to one of its points.
 bool isAsked(const std::string& key) {
     const auto& all = literals();
     if (all.count(key) > 0) return true;
@@ -77,7 +77,7 @@ std::set<std::string> namesIn(std::string_view sentence) {
 
 TEST_CASE("every sentence that is asked for by name stands in the English file", "[house][words]") {
     const std::map<std::string, std::string> keys = askedKeys();
-    CHECK(keys.size() > 100); // the search finds them
+    CHECK(keys.size() > 100); // proves that the search works
     for (const auto& [key, file] : keys) {
         INFO(key << " of " << file);
         CHECK(english().find(key) != nullptr);

@@ -1,4 +1,5 @@
-// Metal in flight: what freezes in the air goes on as it flew until it melts again, and what comes down is caught.
+// Metal in flight: a drop that freezes in the air continues its motion until it melts again, and a falling drop is
+// caught.
 #include "core/metal/physical_metal.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
@@ -44,13 +45,13 @@ std::vector<MetalSeed> ball(glm::vec3 centre, glm::vec3 velocity, glm::vec3 spin
 }
 
 struct Motion {
-    glm::dvec3 velocity{0};          // of the centre, m/s
+    glm::dvec3 velocity{0};          // velocity of the centre, m/s
     glm::dvec3 spin{0};              // angular momentum about the centre over the mass, m²/s
     glm::dvec3 centre{0};            // m
-    size_t liquid = 0, fragment = 0; // particles
+    size_t liquid = 0, fragment = 0; // numbers of particles
 };
 
-/// Of the particles from slot `first` on.
+/// Returns the motion of the particles from slot `first` on.
 Motion motionOf(const PhysicalMetal& metal, size_t first) {
     const MetalState& state = metal.state();
     const size_t count = state.particles();
@@ -75,7 +76,7 @@ Motion motionOf(const PhysicalMetal& metal, size_t first) {
 TEST_CASE("what freezes in the air flies and turns on as it did", "[physical][flight]") {
     test::context();
     PhysicalSetup setup = plateBelowAir(glm::vec3(0));
-    setup.heat.convection = 2e4; // so that it freezes within some tenths of a second
+    setup.heat.convection = 2e4; // freezes within some tenths of a second
     PhysicalMetal metal(test::shaders(), setup);
     const size_t first = setup.seeds.size();
     const glm::vec3 velocity(0, 0.01F, 0), spin(0, 10, 15);
@@ -103,13 +104,13 @@ TEST_CASE("what freezes in the air flies and turns on as it did", "[physical][fl
 TEST_CASE("what froze in the air turns on as one piece, and melts again with nothing lost", "[physical][flight]") {
     test::context();
     PhysicalSetup setup = plateBelowAir(glm::vec3(0));
-    setup.heat.convection = 2e3; // slowly enough that it is a fragment before
+    setup.heat.convection = 2e3; // slow enough to be a fragment first
     setup.heat.ambient = 2600;   // the air melts it
     PhysicalMetal metal(test::shaders(), setup);
     const size_t first = setup.seeds.size();
     const size_t all = ball({}, {}, {}, 0, 0).size();
     const glm::vec3 velocity(0, 0.01F, 0), spin(0, 10, 15);
-    // Filler that is too cold to be liquid freezes in its first step.
+    // Filler too cold to be liquid freezes in its first step.
     metal.step({}, ball(glm::vec3(0, 10, 0) * kMm, velocity, spin, 1700, PHASE_ALIVE | PHASE_LIQUID), nullptr);
     const Motion before = motionOf(metal, first);
     bool wasFragment = false, melts = false;
@@ -118,7 +119,7 @@ TEST_CASE("what froze in the air turns on as one piece, and melts again with not
         const Motion now = motionOf(metal, first);
         wasFragment = wasFragment || now.fragment == all;
         melts = melts || now.liquid > 0;
-        if (melts) continue; // liquid does not push on the fragment that it flows around, so the two share no momentum
+        if (melts) continue; // liquid does not push the fragment that it flows around, so their momenta differ
         INFO("frame " << frame << ", in fragments " << now.fragment);
         REQUIRE(glm::length(now.velocity - before.velocity) < 1e-3 * glm::length(before.velocity));
         REQUIRE(glm::length(now.spin - before.spin) < 1e-3 * glm::length(before.spin));
@@ -153,8 +154,8 @@ TEST_CASE("drops in any state are caught by the plate", "[physical][flight]") {
     CHECK(metal.statistics().lost == 0);
     for (size_t i = first; i < places.size(); ++i) {
         INFO("drop " << i - first << " at " << places[i].x << ", " << places[i].y << ", " << places[i].z);
-        CHECK(places[i].y > -0.1F * kMm);                         // at lowest between four particles of the plate
-        CHECK(places[i].y < (temperature == 1790 ? 5 : 4) * kMm); // on the plate, or on others; mushy ones pile up
+        CHECK(places[i].y > -0.1F * kMm);                         // lowest place between four particles of the plate
+        CHECK(places[i].y < (temperature == 1790 ? 5 : 4) * kMm); // on the plate or on other drops; mushy ones pile up
         CHECK(glm::length(glm::vec3(velocities[i])) < 0.02F);
     }
     CHECK_FALSE(metal.flow().readFaults().any());

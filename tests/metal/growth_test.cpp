@@ -1,5 +1,5 @@
-// Metal whose filler needs more memory than it was made with: it goes on with the same bits, from saved states of
-// another room too.
+// Growth of the metal beyond its first capacity for filler: the bits do not change, also from saved states of another
+// capacity.
 #include "core/gl/state_archive.hpp"
 #include "core/metal/physical_metal.hpp"
 #include "tests/support/catch.hpp"
@@ -12,11 +12,11 @@ namespace meltpool {
 namespace {
 
 constexpr float kMm = 1e-3F;
-constexpr int kGrown = 30; ///< steps after which metal with room for kRoom has grown
+constexpr int kGrown = 30; ///< number of steps after which metal with room for kRoom has grown
 constexpr size_t kRoom = 40;
 
-/// A clamped steel plate and a loose block that falls onto it: the lists of liquid metal and of fragments are both in
-/// use. Room for `room` particles of filler.
+/// A clamped steel plate and a loose block that falls onto it, so that the lists of liquid metal and of fragments are
+/// both in use. `room` is the capacity in particles of filler.
 PhysicalSetup plateAndBlock(size_t room) {
     const glm::vec3 low = glm::vec3(-12, -8, -12) * kMm, high = glm::vec3(12, 8, 12) * kMm;
     PhysicalSetup setup;
@@ -33,7 +33,7 @@ PhysicalSetup plateAndBlock(size_t room) {
     return setup;
 }
 
-/// Two drops a step onto a pool under an arc.
+/// Adds two drops a step to a pool under an arc.
 void weld(PhysicalMetal& metal, int from, int to) {
     const std::vector<HeatSource> burning{
         HeatSource::gaussian(glm::vec3(-4, -2, 0) * kMm, glm::vec3(0, -1, 0), 2 * kMm, 2500)};
@@ -100,7 +100,7 @@ TEST_CASE("metal that grows keeps its bits", "[physical]") {
 TEST_CASE("metal goes on from a saved state of less room and of more", "[physical]") {
     test::context();
     PhysicalMetal metal(test::shaders(), plateAndBlock(kRoom));
-    constexpr int kSaved = 13; // within a cycle in which fragments are labelled
+    constexpr int kSaved = 13; // inside a cycle of fragment labelling
     weld(metal, 0, kSaved);
     const size_t small = metal.state().capacity();
     const auto early = saved(metal);

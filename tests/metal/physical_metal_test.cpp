@@ -1,4 +1,4 @@
-// Heat, flow and filler together: nothing is lost when metal melts, moves, is fed and freezes.
+// Heat, flow and filler together: no mass or energy is lost when metal melts, moves, is fed and freezes.
 #include "core/metal/physical_metal.hpp"
 #include "core/weld/process/filler.hpp"
 #include "tests/support/catch.hpp"
@@ -15,7 +15,7 @@ namespace {
 
 constexpr float kMm = 1e-3F;
 
-/// A steel plate of 24 x 20 mm, 6 mm thick, its top at y = 0, insulated, its rim clamped.
+/// Returns a steel plate of 24 x 20 mm, 6 mm thick, its top at y = 0, insulated, its rim clamped.
 PhysicalSetup plate() {
     PhysicalSetup setup;
     setup.material = shippedMaterial("s235");
@@ -125,7 +125,7 @@ TEST_CASE("wire that is fed outside the space or beyond the most particles is re
     CHECK(metal.refusedFiller() == 2 + 11);
     metal.reset();
     CHECK(metal.statistics().lost == 0);
-    // A drop that leaves the wire's end a little over the space falls into it.
+    // A drop that leaves the wire's end a little above the space falls into it.
     MetalSeed above = drops[2];
     above.velocity = {0, -0.3F, 0};
     metal.step({}, std::vector{above}, nullptr);
@@ -151,7 +151,7 @@ TEST_CASE("two welds alike give the same bits", "[physical]") {
 TEST_CASE("a block that lies loose on a plate is part of it once metal has frozen between them", "[physical]") {
     test::context();
     PhysicalSetup setup = plate();
-    setup.heat.convection = 2e4; // freezes soon
+    setup.heat.convection = 2e4; // freezes quickly
     const auto block = latticeSeeds(setup.lattice, glm::vec3(-3, 1, -3) * kMm, glm::vec3(3, 3, 3) * kMm, 293.15F);
     setup.seeds.insert(setup.seeds.end(), block.begin(), block.end());
     PhysicalMetal metal(test::shaders(), setup);
@@ -161,10 +161,10 @@ TEST_CASE("a block that lies loose on a plate is part of it once metal has froze
             metal.step(std::span(sources).first(power > 0 ? 1 : 0), {}, nullptr);
     };
     run(60, 0);
-    CHECK(metal.fragments().report().particles == block.size()); // it has fallen by a spacing and only lies there
+    CHECK(metal.fragments().report().particles == block.size()); // it has fallen by a spacing and is at rest
     run(25, 6000);
     CHECK(metal.flow().readMoving() > block.size());
-    CHECK(metal.fragments().report().particles > 0); // its other end has not melted
+    CHECK(metal.fragments().report().particles > 0); // its other end is still solid
     run(120, 0);
     CHECK(metal.statistics().molten == 0);
     CHECK(metal.fragments().report().fragments == 0);
@@ -179,9 +179,9 @@ TEST_CASE("a time step is made to fit one step of heat where two would hardly be
     CHECK(step > 0.8 / 90);
     CHECK(step <= steel.heat().longestStep(3500));
     PhysicalSetup stainless = plate();
-    stainless.material = shippedMaterial("304"); // conducts so badly that a whole frame is no matter
+    stainless.material = shippedMaterial("304"); // poor conduction: a whole frame makes no difference
     CHECK(PhysicalMetal(test::shaders(), stainless).timeStep() == 1.0F / 90);
-    stainless.material = shippedMaterial("copper"); // needs many steps of heat in any case
+    stainless.material = shippedMaterial("copper"); // needs many heat steps anyway
     CHECK(PhysicalMetal(test::shaders(), stainless).timeStep() == 1.0F / 90);
 }
 

@@ -1,5 +1,4 @@
-// Solid fragments: labelled as a CPU flood fill does, falling with constant acceleration, resting, tipping over,
-// keeping shape and momentum.
+// Solid fragments: labels equal to a CPU flood fill's, free fall, rest, tipping over, constant shape and momentum.
 #include "core/metal/rigid_fragments.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
@@ -32,7 +31,7 @@ MetalLattice smallLattice() {
     return MetalLattice::covering(glm::vec3(0), glm::vec3(0.032F, 0.024F, 0.016F), kSpacing);
 }
 
-/// Seeds of the box between two cells (the second excluded).
+/// Returns the seeds of the box between two cells (the second excluded).
 std::vector<MetalSeed> box(const MetalLattice& lattice, glm::ivec3 low, glm::ivec3 high, unsigned extra = 0) {
     return latticeSeeds(lattice, lattice.low + glm::vec3(low) * kSpacing, lattice.low + glm::vec3(high) * kSpacing, 293,
                         extra);
@@ -76,7 +75,8 @@ struct Bench {
     RigidFragments fragments;
 };
 
-/// Component of every solid particle by flood fill over all pairs closer than the bond length; SIZE_MAX for others.
+/// Returns the component of every solid particle by flood fill over all pairs closer than the bond length; SIZE_MAX for
+/// others.
 std::vector<size_t> floodFill(const std::vector<vec4>& positions, const std::vector<uint>& phases) {
     std::vector<size_t> component(positions.size(), SIZE_MAX);
     const float reach = static_cast<float>(FRAGMENT_BOND_LENGTH) * kSpacing;
@@ -112,7 +112,7 @@ float largestStretch(const std::vector<vec4>& before, const std::vector<vec4>& a
 
 TEST_CASE("labelling lists the particles whose phase it changes, and what froze and has no label yet") {
     const MetalLattice lattice = smallLattice();
-    // A clamped block, and above it one that hangs in the air.
+    // A clamped block is below one that hangs in the air.
     const auto held = box(lattice, {4, 0, 4}, {8, 4, 8}, PHASE_CLAMPED);
     const auto loose = box(lattice, {4, 10, 4}, {8, 12, 8});
     Bench bench(held + loose);
@@ -125,14 +125,14 @@ TEST_CASE("labelling lists the particles whose phase it changes, and what froze 
     };
     std::vector<uint> expected(loose.size());
     std::iota(expected.begin(), expected.end(), static_cast<uint>(held.size()));
-    CHECK(listed() == expected); // they came off the lattice
+    CHECK(listed() == expected); // fragments have left the lattice
     bench.fragments.relabelNow(nullptr);
     CHECK(listed().empty());
     bench.setPhases([](size_t slot, uint bits) { return slot == 3 ? bits | PHASE_FRESH : bits; });
     bench.fragments.relabelNow(nullptr);
     CHECK(listed() == std::vector<uint>{3});
     CHECK((bench.phases()[3] & PHASE_FRESH) == 0);
-    // Melts now and freezes in the middle of a cycle, which began without it.
+    // One slot melts now and freezes in the middle of a cycle that began without it.
     bench.setPhases([](size_t slot, uint bits) { return slot == 5 ? bits | PHASE_LIQUID : bits; });
     bench.fragments.relabel(nullptr);
     bench.setPhases([](size_t slot, uint bits) { return slot == 5 ? (bits & ~PHASE_LIQUID) | PHASE_FRESH : bits; });
@@ -147,7 +147,7 @@ TEST_CASE("fragments are labelled as a flood fill does, with metal missing at ra
         const MetalLattice lattice = smallLattice();
         auto seeds = box(lattice, {0, 0, 0}, {32, 1, 16}, PHASE_CLAMPED) + box(lattice, {0, 1, 0}, {32, 12, 16});
         std::mt19937 random(seed);
-        for (MetalSeed& s : seeds) // few enough bonds for many islands
+        for (MetalSeed& s : seeds) // few bonds, so that there are many islands
             if (!(s.phase & PHASE_CLAMPED) && random() % 100 < 66) s.phase |= PHASE_LIQUID;
         const Bench bench(seeds);
         std::vector<uint> startPhases;
@@ -177,7 +177,7 @@ TEST_CASE("fragments are labelled as a flood fill does, with metal missing at ra
 TEST_CASE("metal that winds through the whole lattice is one fragment, by one clamp") {
     const MetalLattice lattice = smallLattice();
     std::vector<MetalSeed> seeds;
-    for (int row = 0; row < 24; ++row) { // full rows of one spacing, each joined with the next at one end alone
+    for (int row = 0; row < 24; ++row) { // full rows a spacing apart, each joined with the next at one end only
         if (row % 2 == 0) seeds = seeds + box(lattice, {0, row, 8}, {32, row + 1, 9});
         const int end = row % 4 == 1 ? 31 : 0;
         if (row % 2 == 1) seeds = seeds + box(lattice, {end, row, 8}, {end + 1, row + 1, 9});
@@ -212,7 +212,7 @@ TEST_CASE("a slab falls from another in metal that takes several calls to label"
     for (int call = 0; call < 25; ++call)
         fragments.relabel(nullptr);
     CHECK(freeFrom(0, seeds.size()) == 0);
-    fragments.relabel(nullptr); // the last call of the cycle
+    fragments.relabel(nullptr); // last call of the cycle
     CHECK(freeFrom(0, slab) == 0);
     CHECK(freeFrom(slab, slab) == static_cast<std::ptrdiff_t>(slab));
 }
@@ -229,7 +229,7 @@ TEST_CASE("a bridge cut through in the middle falls, comes to rest and is not le
     CHECK(bench.fragments.report().fragments == 0);
     CHECK(std::memcmp(start.data(), bench.positions().data(), start.size() * sizeof(vec4)) == 0);
 
-    // Cut at both ends: what lies between them is held by nothing.
+    // Cuts at both ends free the middle part.
     bench.setPhases([&](size_t i, uint bits) {
         const float x = start[i].x;
         const bool cut = i >= first && (x < 0.006F || x > 0.026F);
@@ -257,7 +257,7 @@ TEST_CASE("a bridge cut through in the middle falls, comes to rest and is not le
         lowest = std::min(lowest, end[i].y);
         fastest = std::max(fastest, glm::length(glm::vec3(velocities[i])));
     }
-    CHECK(lowest == Approx(0.5F * kSpacing).margin(0.15F * kSpacing)); // on the floor, not in it
+    CHECK(lowest == Approx(0.5F * kSpacing).margin(0.15F * kSpacing)); // on the floor, not inside it
     CHECK(fastest < 5e-3F);
     float stretch = 0;
     for (const size_t i : fragment)
@@ -300,7 +300,7 @@ TEST_CASE("a fragment that flies or is pressed against the sides of the space st
                 CHECK(glm::all(glm::lessThanEqual(glm::vec3(p), glm::vec3(0.032F, 0.024F, 0.016F))));
             }
         }
-        // It has come to the side that it was pushed to.
+        // It has moved to the side that it was pushed to.
         float reach = 0;
         for (const vec4& p : bench.positions())
             reach = std::max(reach, glm::dot(glm::vec3(p) - glm::vec3(0.016F, 0, 0.008F), glm::normalize(push)));
@@ -360,13 +360,13 @@ TEST_CASE("fragments cost no dispatch while nothing is free") {
     const MetalLattice lattice = smallLattice();
     const bool clamped = GENERATE(true, false);
     Bench bench(box(lattice, {4, 6, 4}, {9, 10, 9}, clamped ? PHASE_CLAMPED : 0));
-    constexpr int kSteps = 8, kPasses = 4, kBefore = 2; // of each step; before all
+    constexpr int kSteps = 8, kPasses = 4, kBefore = 2; // passes of each step; passes before all steps
     const auto dispatches = [&] {
         const auto before = gl::dispatchCount();
         bench.fragments.move(kStep, kSteps, nullptr);
         return gl::dispatchCount() - before;
     };
-    glFinish(); // the number of free particles is back
+    glFinish(); // the number of free particles has arrived
     CHECK(dispatches() == (clamped ? 0U : kBefore + kSteps * kPasses));
     CHECK(dispatches() == (clamped ? 0U : kBefore + kSteps * kPasses));
     bench.setPhases([](size_t, uint bits) { return bits & ~PHASE_CLAMPED; });

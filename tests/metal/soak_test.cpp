@@ -1,5 +1,5 @@
-// Minutes of striking, welding, cooling and remelting: nothing is lost, every joule is accounted for, a pool left alone
-// comes to rest, and the same weld gives the same bits.
+// Minutes of striking, welding, cooling and remelting: no metal is lost, every joule is accounted for, an undisturbed
+// pool comes to rest, and a repeated weld gives equal bits.
 #include "core/metal/physical_metal.hpp"
 #include "core/weld/process/filler.hpp"
 #include "tests/support/catch.hpp"
@@ -18,7 +18,8 @@ constexpr float kSpacing = 2 * kMm;
 constexpr int kFramesASecond = 90;
 constexpr float kDropTemperature = 2200;
 
-/// A small steel plate of 32 x 24 mm, 6 mm thick, clamped at its ends, in a draught that cools it between two beads.
+/// Returns a small steel plate of 32 x 24 mm, 6 mm thick, clamped at its ends, in a draught that cools it between two
+/// beads.
 PhysicalSetup plate() {
     PhysicalSetup setup;
     setup.material = shippedMaterial("s235");
@@ -37,8 +38,8 @@ PhysicalSetup plate() {
     return setup;
 }
 
-/// One bead of `seconds`: struck and held at one end, drawn to the other with wire, left to cool; then its middle is
-/// melted again without wire and left to cool again.
+/// One bead of `seconds`: struck and held at one end, drawn to the other with wire, and cooled; then its middle is
+/// melted again without wire and cools again.
 class Beads {
   public:
     explicit Beads(double seconds) : metal_(test::shaders(), plate()), seconds_(seconds) {
@@ -57,7 +58,7 @@ class Beads {
         ++beads_;
     }
 
-    /// Checks what must hold at any moment.
+    /// Checks the laws that hold at any moment.
     void check() {
         const MetalStatistics now = metal_.statistics();
         CHECK(now.particles == plate().seeds.size() + fed_);
@@ -67,13 +68,14 @@ class Beads {
         CHECK_FALSE(metal_.flow().readFaults().any());
         const HeatBalance balance = metal_.heat().readBalance();
         const double input = balance.gained + fedEnergy_;
-        CHECK(balance.gained == Approx(arcEnergy_).epsilon(2e-3)); // all the arc's power finds metal
+        CHECK(balance.gained == Approx(arcEnergy_).epsilon(2e-3)); // all the arc's power reaches the metal
         CHECK(std::abs(metal_.state().readEnergy() - start_ - input + balance.lost) < 1e-4 * input);
         CHECK(balance.lost > 0);
         checkRest();
     }
 
-    /// A bead that has frozen is at rest to the last bit; what is still liquid creeps at most, and not all one way.
+    /// Checks that a frozen bead is at rest to the last bit and that remaining liquid only creeps, with no net
+    /// direction.
     void checkRest() const {
         const size_t count = metal_.state().particles();
         const auto velocities = metal_.state().velocity.read<vec4>(count);
@@ -89,7 +91,8 @@ class Beads {
                 stillSpeed = std::max(stillSpeed, glm::length(velocity));
         }
         CHECK(stillSpeed == 0);
-        CHECK(glm::length(sum) <= 3e-3 * liquid); // m/s times particles: the momentum over a particle's mass
+        CHECK(glm::length(sum) <=
+              3e-3 * liquid); // m/s times number of particles: momentum divided by a particle's mass
     }
 
     const PhysicalMetal& metal() const { return metal_; }
@@ -123,7 +126,7 @@ class Beads {
     int beads_ = 0, frames_ = 0;
 };
 
-/// The state's hash after each of some beads.
+/// Returns the state's hash after each bead.
 std::vector<std::uint64_t> hashesOf(int beads, double seconds) {
     Beads run(seconds);
     std::vector<std::uint64_t> hashes;
@@ -134,7 +137,7 @@ std::vector<std::uint64_t> hashesOf(int beads, double seconds) {
     return hashes;
 }
 
-/// Welds so many beads and checks after each; all are welded a second time and must give the same bits.
+/// Welds this number of beads and checks after each; a second weld must give equal bits.
 void soak(int beads, double seconds) {
     std::vector<std::uint64_t> hashes;
     Beads run(seconds);
@@ -181,7 +184,7 @@ TEST_CASE("a pool left alone comes to rest", "[soak]") {
     PhysicalSetup setup = plate();
     setup.heat.convection = 0;
     setup.heat.radiation = setup.heat.evaporation = false;
-    // A pit full of liquid in metal just below its solidus, insulated: it neither spreads nor freezes away.
+    // An insulated pit full of liquid in metal just below its solidus neither spreads nor freezes.
     for (MetalSeed& seed : setup.seeds) {
         seed.temperature = 1765;
         const glm::vec3 p = seed.position;

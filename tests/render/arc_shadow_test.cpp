@@ -1,4 +1,4 @@
-// The arc's light on the table: none under the plate, all of it well beside, and a soft edge between.
+// The arc's light on the table: none under the plate, full light far from it, and a soft edge between.
 #include "core/render/picture_target.hpp"
 #include "core/render/renderer.hpp"
 #include "tests/support/catch.hpp"
@@ -14,10 +14,10 @@ namespace meltpool {
 namespace {
 
 constexpr int kSize = 201;  // pixels, one a millimetre
-constexpr float kUnit = 25; // world units a metre, as lessons have it
+constexpr float kUnit = 25; // world units a metre, as in lessons
 
-/// A table 12 mm under the upper face of a plate of 50 x 50 x 6 mm that is not drawn, an arc 20 mm over the plate, seen
-/// from straight above.
+/// Draws a table 12 mm under the upper face of an undrawn plate of 50 x 50 x 6 mm, with an arc 20 mm over the plate,
+/// seen from straight above.
 Image tableUnder(std::span<const WorkpieceBlock> blocks, bool burns) {
     static Renderer renderer(test::shaders());
     SceneView scene;
@@ -38,13 +38,13 @@ Image tableUnder(std::span<const WorkpieceBlock> blocks, bool burns) {
         glm::lookAt(glm::vec3(0, 10, 0), glm::vec3(0), glm::vec3(scene.modelToWorld * glm::vec4(0, 0, -1, 0)));
     const float half = 0.1f * kUnit;
     view.eyeToClip = glm::ortho(-half, half, -half, half, 1.0f, 20.0f);
-    view.eye = {0, 1e4f, 0}; // as far as parallel rays come from: the arc's glare in the eye is nothing
+    view.eye = {0, 1e4f, 0}; // so far away that rays are parallel and the arc's glare vanishes
     const PictureTarget target(kSize, kSize, 1);
     renderer.draw(scene, look, {&view, 1}, target.target(), nullptr);
     return target.read();
 }
 
-/// Green of the table `mm` along x of the workpiece from under the arc.
+/// Returns the green of the table `mm` along the workpiece's x from the point under the arc.
 int greenAt(const Image& image, int mm) {
     return image.rgb[static_cast<size_t>(((kSize / 2) * kSize + kSize / 2 + mm) * 3 + 1)];
 }

@@ -1,4 +1,4 @@
-// Cameras: where they stand and look, that they never roll or turn over, and what their views project.
+// Cameras: their places and directions, no roll or turning over, and the projection of their views.
 #include "core/render/camera.hpp"
 #include "tests/support/catch.hpp"
 
@@ -17,7 +17,7 @@ bool near3(const glm::vec3& a, const glm::vec3& b) {
     return glm::distance(a, b) < 1e-5f;
 }
 
-/// Where a world point lands in the picture, -1..1.
+/// Returns the place of a world point in the picture, -1..1.
 glm::vec3 projected(const View& view, const glm::vec3& point) {
     const glm::vec4 clip = view.eyeToClip * view.worldToEye * glm::vec4(point, 1.0f);
     return glm::vec3(clip) / clip.w;
@@ -85,7 +85,7 @@ TEST_CASE("a view puts what is ahead into the middle and what is right to the ri
     CHECK(std::abs(projected(view, {0, 0, 0}).y) < 1e-5f);
     CHECK(projected(view, camera.right() * 0.1f).x > 0.0f);
     CHECK(projected(view, {0, 0.1f, 0}).y > 0.0f);
-    // half the field of view upwards is the picture's upper border
+    // Half the field of view upwards is the picture's upper border.
     const glm::vec3 up = camera.orientation() * glm::vec3(0, 1, 0);
     const glm::vec3 border = up * (2.5f * std::tan(0.5f * lens.fieldOfView));
     CHECK(projected(view, border).y == Approx(1.0f).margin(1e-4));

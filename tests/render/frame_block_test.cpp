@@ -1,4 +1,4 @@
-// What a frame's block says of a model that is turned in the world.
+// The frame block of a model that is rotated in the world.
 #include "core/render/frame_block.hpp"
 
 #include "tests/support/catch.hpp"

@@ -1,4 +1,4 @@
-// Light and colours of heat: against the old candela, the standard lamp and the table of temper colours; pictures.
+// Light and colours of heat: the old candela, the standard lamp, the table of temper colours, and pictures.
 #include "core/render/camera.hpp"
 #include "core/render/look/heat_colours.hpp"
 #include "core/render/picture_target.hpp"
@@ -15,13 +15,13 @@
 namespace meltpool {
 
 TEST_CASE("a black body shines as the definitions say") {
-    // Until 1979 the candela was 1/60 of what a square centimetre of freezing platinum (2041.4 K) shines.
+    // Until 1979 the candela was 1/60 of the light of a square centimetre of freezing platinum (2041.4 K).
     CHECK(blackBodyTristimulus(2041.4).y == Approx(60e4).epsilon(0.03));
     // Standard illuminant A: 2856 K, x = 0.4476, y = 0.4074.
     const glm::dvec3 c = blackBodyTristimulus(2856);
     CHECK(c.x / (c.x + c.y + c.z) == Approx(0.4476).margin(0.004));
     CHECK(c.y / (c.x + c.y + c.z) == Approx(0.4074).margin(0.004));
-    // The Draper point, 798 K: metal just begins to glow; in a lit room that is not visible.
+    // The Draper point is 798 K: metal just begins to glow; in a lit room that is not visible.
     CHECK(blackBodyLight(798).r < 1e-3f);
     CHECK(blackBodyTristimulus(0) == glm::dvec3(0.0));
 }
@@ -45,7 +45,7 @@ TEST_CASE("temper colours go from straw over purple to blue and grey") {
     CHECK((tint(278).r > tint(278).g && tint(278).b > tint(278).g)); // purple
     CHECK((tint(310).b > tint(310).g && tint(310).g > tint(310).r)); // blue
     CHECK(std::abs(tint(700).r - tint(700).b) < 0.03f);              // grey
-    CHECK(tint(1600).g > tint(1200).g);                              // molten metal left its scale
+    CHECK(tint(1600).g > tint(1200).g);                              // molten metal has lost its scale
 }
 
 TEST_CASE("a filter's shade number is EN 169's logarithm") {
@@ -76,7 +76,8 @@ TEST_CASE("a weld glows, is tinted where it was hot, and shows its pool through 
     CHECK(test::matchesGolden("render/weld-temperature", shoot()));
 }
 
-/// Linear brightness of the middle of a white plate that an arc of intensity 1 lights from 2 cm above, model unit 1 m.
+/// Returns the linear brightness of the middle of a white plate that an arc of intensity 1 lights from 2 cm above,
+/// model unit 1 m.
 double plateUnderArc(Renderer& renderer, float intensity, float visorShade, float modelScale) {
     constexpr int kSize = 256;
     const PictureTarget target(kSize, kSize, 1);
@@ -93,7 +94,7 @@ double plateUnderArc(Renderer& renderer, float intensity, float visorShade, floa
     look.ambient = look.diffuse = look.specular = 0;
     look.arcLight = 1;
     look.visorShade = visorShade;
-    // From aside: in line with the arc the eye sees its glare and no plate.
+    // The eye is off the arc's axis: in line with the arc it sees glare and no plate.
     const View view = FreeCamera(glm::vec3(0.3f, 0, 0.3f) * modelScale, {0, 0, 0}).view({.nearest = 0.005f}, 1);
     renderer.draw(scene, look, {&view, 1}, target.target(), nullptr);
     const Image picture = target.read();
@@ -110,7 +111,7 @@ TEST_CASE("an arc lights a plate by the inverse square of its distance, in every
     CHECK(plateUnderArc(renderer, intensity, 0, 1) == Approx(0.4).epsilon(0.03));
     CHECK(plateUnderArc(renderer, intensity, 0, 25) == Approx(0.4).epsilon(0.03));
     CHECK(plateUnderArc(renderer, intensity / 2, 0, 1) == Approx(0.2).epsilon(0.03));
-    CHECK(plateUnderArc(renderer, intensity * 1e3f, 8, 1) == Approx(0.4 * 1.1).epsilon(0.03)); // green of the filter
+    CHECK(plateUnderArc(renderer, intensity * 1e3f, 8, 1) == Approx(0.4 * 1.1).epsilon(0.03)); // the filter's green
 }
 
 } // namespace meltpool

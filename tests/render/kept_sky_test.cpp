@@ -1,4 +1,4 @@
-// The sky behind a camera that stands still is copied, and nobody can tell by the picture.
+// The sky behind a still camera: it is copied from a stored picture without a visible difference.
 #include "core/render/camera.hpp"
 #include "core/render/picture_target.hpp"
 #include "core/render/renderer.hpp"
@@ -19,7 +19,7 @@ View viewFrom(float turn) {
     return OrbitCamera(turn, 0.45f, 2.2f).view({}, static_cast<float>(kWidth) / kHeight);
 }
 
-/// A target whose values the shaders encode, as a window's.
+/// A target with encoded values, such as a window's.
 class PlainTarget {
   public:
     PlainTarget() {
@@ -37,7 +37,7 @@ class PlainTarget {
     gl::Framebuffer framebuffer_{"plain"};
 };
 
-/// A renderer, and whether its last picture shaded a sky behind the metal.
+/// A renderer that reports if its last picture shaded a sky behind the metal.
 struct Painter {
     template <typename Target>
     Image draw(const View& view, const LookParameters& look, const Target& target) {
@@ -58,8 +58,9 @@ struct Painter {
     gl::Profiler profiler;
 };
 
-/// Whether a person sees the same picture. A driver may shade a sky behind metal, whose depth it tests, and a sky alone
-/// by two programs of its own; Mesa 25 then rounds a few of ten thousand values to the next of 255 steps, Mesa 22 none.
+/// True if both pictures look equal to a person. A driver may shade a sky behind metal, whose depth it tests, and a sky
+/// alone with different programs; Mesa 25 then rounds a few of ten thousand values to the next of 255 steps, Mesa 22
+/// none.
 bool looksTheSame(const Image& a, const Image& b) {
     if (a.width != b.width || a.height != b.height) return false;
     size_t differ = 0;
@@ -71,7 +72,7 @@ bool looksTheSame(const Image& a, const Image& b) {
     return differ * 1000 <= a.rgb.size();
 }
 
-/// Not compared inside of CHECK, which would print every value.
+/// Compares outside CHECK, which would print every value.
 bool sameBits(const Image& a, const Image& b) {
     return a.rgb == b.rgb;
 }

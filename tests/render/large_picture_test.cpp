@@ -1,4 +1,4 @@
-// Pictures drawn tile by tile: the same as drawn at once, in any size, with the light of finer pixels averaged.
+// Pictures drawn tile by tile: equal to pictures drawn at once, in any size, with the light of finer pixels averaged.
 #include "core/render/camera.hpp"
 #include "core/render/large_picture.hpp"
 #include "core/render/picture_target.hpp"
@@ -24,7 +24,7 @@ TEST_CASE("tiles of a picture show what the whole picture shows, also where they
     const LookParameters look;
     const glm::ivec2 size(150, 90);
     View view = FreeCamera({0.016f, 0.010f, 0.007f}, {-0.01f, -0.0015f, 0}).view({.nearest = 0.002f}, 150.0f / 90);
-    view.eyeToClip[2][0] -= 0.2f; // off the middle, as beside panels
+    view.eyeToClip[2][0] -= 0.2f; // off centre, as next to panels
     Renderer& renderer = test::patchRenderer();
     const auto draw = [&](const View& part, const RenderTarget& target) {
         renderer.draw(scene, look, {&part, 1}, target, nullptr);
@@ -41,7 +41,7 @@ TEST_CASE("tiles of a picture show what the whole picture shows, also where they
     CHECK(tiles == 3 * 2);
     REQUIRE(tiled.width == size.x);
     REQUIRE(tiled.height == size.y);
-    CHECK(compareImages(whole, tiled, 16).farPixels < 0.01); // edges fall on other sides of a pixel's middle
+    CHECK(compareImages(whole, tiled, 16).farPixels < 0.01); // edges fall on other sides of a pixel's centre
     const Image fine = drawLargePicture({size, 2, 4, {64, 64}}, view, draw);
     CHECK(fine.width == size.x);
     const double jagged = compareImages(whole, fine, 0).mean;

@@ -1,5 +1,5 @@
-// Picture of the solder cube of the classic model, its front corner liquid and glossy, the
-// rest solid and dull; from the real simulation and the real surface.
+// Picture of the classic model's solder cube from the real simulation and surface: its front corner liquid and glossy,
+// the rest solid and dull.
 #include "core/metal/classic/classic_metal.hpp"
 #include "core/render/camera.hpp"
 #include "core/render/picture_target.hpp"

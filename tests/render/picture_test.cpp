@@ -1,5 +1,4 @@
-// Pictures: goldens of every mode and material, exact colours where the thesis gives them, several views, plain
-// targets.
+// Pictures: goldens of every mode and material, the thesis's exact colours, several views, plain targets.
 #include "core/render/camera.hpp"
 #include "core/render/look/temperature_scale.hpp"
 #include "core/render/picture_target.hpp"
@@ -41,7 +40,7 @@ Image picture(const SceneView& scene, const LookParameters& look, int samples = 
     return target.read();
 }
 
-/// A square of the scene's own, facing the eye, filling the picture, of one temperature.
+/// A square that faces the eye and fills the picture, of one temperature.
 struct FlatScene {
     explicit FlatScene(float temperature) {
         std::vector<SurfaceVertex> corners;
@@ -71,7 +70,7 @@ glm::ivec3 pixel(const Image& image, int x, int y) {
     return {image.rgb[at], image.rgb[at + 1], image.rgb[at + 2]};
 }
 
-/// The middle pixel of a flat scene under pure ambient light of 1.
+/// Returns the middle pixel of a flat scene under pure ambient light of 1.
 glm::ivec3 flatColour(float temperature, LookParameters look, bool encodesSrgb) {
     test::context();
     const FlatScene flat(temperature);
@@ -109,7 +108,7 @@ TEST_CASE("every mode and colour scale looks like its golden") {
     const std::array<const char*, 4> scales{"material", "temperature", "even", "grey"};
     for (int mode = kSurfaceMode; mode <= kPointsMode; ++mode)
         for (int colours = kMaterialColours; colours <= kGreyColours; ++colours) {
-            if (mode == kSurfaceMode && colours == kMaterialColours) continue; // among the materials
+            if (mode == kSurfaceMode && colours == kMaterialColours) continue; // covered by the materials
             if (mode != kSurfaceMode && colours > kTemperatureColours) continue;
             LookParameters look;
             look.mode = mode;
@@ -168,14 +167,14 @@ TEST_CASE("temperature colours arrive as they are on either kind of target") {
             const glm::vec3 shown = temperatureColour(kTemperatureColours, t) * 255.0f;
             const glm::ivec3 seen = flatColour(t, look, encodes);
             INFO("t " << t << " encodes " << encodes << ": " << seen.r << " " << seen.g << " " << seen.b);
-            for (int channel = 0; channel < 3; ++channel) // the tone curve bends what is brighter than 200
+            for (int channel = 0; channel < 3; ++channel) // the tone curve compresses light above 200
                 if (shown[channel] < 200) CHECK(std::abs(float(seen[channel]) - shown[channel]) <= 2.0f);
         }
 }
 
 TEST_CASE("solder follows the thesis: grey max(1 - T, 0.2) and mirror share min(T, 0.6) from T > 0.3") {
     LookParameters look;
-    look.dullness = 0; // the same mirror image at every temperature
+    look.dullness = 0; // one reflection for all temperatures
     const auto linear = [](double shown) { return std::pow((shown + 0.055) / 1.055, 2.4); };
     const auto seen = [&](float t) {
         const glm::ivec3 c = flatColour(t, look, true);
@@ -252,7 +251,7 @@ TEST_CASE("a target that does not encode gets the same picture from the shaders"
     renderer().draw(scene, look, {&view, 1}, {.framebuffer = plain.name(), .viewport = {0, 0, kWidth, kHeight}},
                     nullptr);
     const ImageDifference difference = compareImages(encoded, gl::readPixels(plain.name(), kWidth, kHeight), 6);
-    CHECK(difference.farPixels < 0.01); // smooth lines blend differently
+    CHECK(difference.farPixels < 0.01); // drivers blend smooth lines differently
     CHECK(difference.mean < 1.0);
 }
 

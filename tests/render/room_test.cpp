@@ -1,5 +1,5 @@
-// The workshop as geometry: things of the room stand where they are for each eye, and from the place of the sky's
-// picture the room looks as the sky does.
+// The workshop as geometry: objects of the room are at their places for each eye, and from the sky picture's viewpoint
+// the room equals the sky.
 #include "core/render/camera.hpp"
 #include "core/render/picture_target.hpp"
 #include "core/render/renderer.hpp"
@@ -31,7 +31,7 @@ LookParameters plainLook() {
     return look;
 }
 
-/// An empty scene in the room, which is 25 world units a metre and shifted, as on the desk.
+/// Returns an empty scene in the room, which is 25 world units a metre and shifted, as at the desk.
 SceneView emptyRoom() {
     SceneView scene;
     scene.room.shown = true;
@@ -43,7 +43,7 @@ glm::vec3 placeInWorld(const SceneView& scene, glm::vec3 inRoom) {
     return scene.room.toWorld * glm::vec4(inRoom, 1);
 }
 
-/// An eye at `eye` (m of the room) that looks at `target`.
+/// Returns a view from `eye` (m of the room) towards `target`.
 View eyeAt(const SceneView& scene, glm::vec3 eye, glm::vec3 target) {
     return FreeCamera(placeInWorld(scene, eye), placeInWorld(scene, target)).view({}, 1);
 }
@@ -55,7 +55,8 @@ Image picture(const SceneView& scene, const LookParameters& look, std::span<cons
     return target.read();
 }
 
-/// Brightness-weighted middle of what is lit in a column, pixels from its upper left corner; the weight's sum in z.
+/// Returns the brightness-weighted centre of the lit area in a column, pixels from its upper left corner; the weight's
+/// sum in z.
 glm::vec3 litMiddle(const Image& image, int column) {
     glm::dvec3 sum(0);
     for (int y = 0; y < image.height; ++y)
@@ -71,7 +72,7 @@ glm::vec2 projected(const View& view, glm::vec3 world) {
     return {(0.5f + 0.5f * clip.x / clip.w) * kSize, (0.5f - 0.5f * clip.y / clip.w) * kSize};
 }
 
-/// A direction's face of the cube map and the place on it, by OpenGL's table of faces.
+/// A face of the cube map and a place on it, by OpenGL's table of faces.
 struct CubePlace {
     int face;
     glm::vec2 place; ///< 0..1
@@ -84,7 +85,8 @@ CubePlace cubePlace(glm::vec3 d) {
     return {d.z > 0 ? 4 : 5, 0.5f + 0.5f * glm::vec2(d.z > 0 ? d.x : -d.x, -d.y) / a.z};
 }
 
-/// A dark environment with one lit spot of two by two texels around this direction; returns the middle of the spot.
+/// Paints a dark environment with one lit spot of two by two texels around this direction; returns the middle of the
+/// spot.
 glm::vec3 paintSpot(Renderer& painted, glm::vec3 direction) {
     const gl::Texture& cube = painted.environment();
     const int size = cube.shape().width;
@@ -105,11 +107,11 @@ glm::vec3 paintSpot(Renderer& painted, glm::vec3 direction) {
 TEST_CASE("a place of the room is seen by each eye where it is") {
     Renderer& painted = renderer();
     const SceneView scene = emptyRoom();
-    // On the floor under the metal's side, on the back wall, and on the front of the red cabinet.
+    // The spots are on the floor under the metal's side, on the back wall, and on the front of the red cabinet.
     struct Spot {
         glm::vec3 towards;
         glm::vec3 normal;
-        float distance; ///< of the plane along its normal
+        float distance; ///< distance of the plane along its normal
     };
     for (const Spot& spot : {Spot{{0.45f, -1, -0.35f}, {0, -1, 0}, 1.25f}, Spot{{0.6f, 0.5f, -1}, {0, 0, -1}, 3.6f},
                              Spot{{-0.60f, -0.28f, -1}, {0, 0, -1}, 2.85f}}) {
@@ -126,7 +128,7 @@ TEST_CASE("a place of the room is seen by each eye where it is") {
             REQUIRE(lit.z > 0);
             CHECK(glm::distance(glm::vec2(lit), expected) < 1);
         }
-        // The sky shows the spot in its direction, from wherever it is seen: elsewhere.
+        // The sky shows the spot in one direction from any viewpoint, so at another place.
         SceneView infinite = scene;
         infinite.room.shown = false;
         const glm::vec3 sky = litMiddle(picture(infinite, plainLook(), eyes), 0);
@@ -163,9 +165,9 @@ TEST_CASE(
         for (int x = 0; x < kSize * 3; ++x)
             different += pair.rgb[static_cast<size_t>(y * pair.width * 3 + x)] !=
                          pair.rgb[static_cast<size_t>((y * pair.width + kSize) * 3 + x)];
-    CHECK(different < kSize * kSize / 1000); // columns are rasterised at different offsets
+    CHECK(different < kSize * kSize / 1000); // rasterisation offsets differ between columns
 
-    // Low detail and an eye outside of the walls get the sky.
+    // With low detail, and for an eye outside the walls, the sky is drawn.
     LookParameters low = plainLook();
     low.detail = kLowDetail;
     const std::array<View, 1> aside{once};

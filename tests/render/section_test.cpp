@@ -1,4 +1,4 @@
-// The section: its picture is its golden, and it shows exactly what its map says.
+// The section's picture: its golden, and exact agreement with its map.
 #include "core/render/camera.hpp"
 #include "core/render/picture_target.hpp"
 #include "core/render/renderer.hpp"
@@ -16,9 +16,9 @@ namespace meltpool {
 namespace {
 
 constexpr float kAt = -0.01f;
-constexpr int kEdge = 96; ///< of the pictures, pixels
+constexpr int kEdge = 96; ///< edge of the pictures, pixels
 
-/// A map of 6 x 4 fields, each of one weight and one temperature, on the box of the synthetic weld's cut.
+/// Returns a map of 6 x 4 fields, each of one weight and one temperature, on the box of the synthetic weld's cut.
 SectionMap fields(const std::function<glm::vec2(int, int)>& weightAndKelvin) {
     constexpr int kTexelsPerField = 16;
     SectionMap map{{-0.02f, -0.008f}, {0.04f, 0.018f}, {6 * kTexelsPerField, 4 * kTexelsPerField}, 0.0005f, {}};
@@ -34,7 +34,7 @@ View lookingAlongSeam() {
     return FreeCamera({0.06f, 0.001f, 0.0f}, {kAt, 0.001f, 0.0f}).view({.nearest = 0.002f}, 1);
 }
 
-/// The section alone, from the side that was taken away.
+/// Draws the section alone, from the side that is removed.
 Image pictureOf(const SectionMap& map, int colours) {
     SceneView scene;
     scene.temperature = {.coldest = 293, .hottest = 2000, .kelvin = true, .solidus = 1768, .liquidus = 1813};
@@ -50,7 +50,7 @@ Image pictureOf(const SectionMap& map, int colours) {
     return target.read();
 }
 
-/// Colour at a place of the section, z and y in m.
+/// Returns the colour at a place of the section, z and y in m.
 std::array<int, 3> colourAt(const Image& picture, glm::vec2 place) {
     const View view = lookingAlongSeam();
     const glm::vec4 clip = view.eyeToClip * view.worldToEye * glm::vec4(kAt, place.y, place.x, 1.0f);

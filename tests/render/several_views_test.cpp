@@ -1,4 +1,4 @@
-// Several views with one draw call or one after the other: the same pictures, whichever way the driver takes.
+// Several views with one draw call or in sequence: equal pictures for every method of the driver.
 #include "core/render/camera.hpp"
 #include "core/render/look/measures.hpp"
 #include "core/render/picture_target.hpp"
@@ -22,7 +22,7 @@ namespace {
 constexpr int kSize = 128;
 constexpr int kSamples = 4;
 
-/// Two eyes as a headset has them: apart, turned outwards a little, each with a frustum that opens more to its own
+/// Returns two eyes as in a headset: apart, turned outwards a little, each with a frustum that opens more to its own
 /// side.
 std::array<View, 2> headsetEyes() {
     std::array<View, 2> eyes = {OrbitCamera(0.70f, 0.45f, 2.2f).view({}, 1),
@@ -33,7 +33,7 @@ std::array<View, 2> headsetEyes() {
     return eyes;
 }
 
-/// A renderer for each way; all are there on every driver that this program is tested with.
+/// Returns a renderer for each method; the drivers of these tests support all.
 Renderer& rendererBy(ViewSubmission submission) {
     static std::array<std::unique_ptr<Renderer>, kViewSubmissions.size()> all;
     auto& renderer = all[static_cast<size_t>(submission)];
@@ -53,12 +53,12 @@ Image column(const Image& all, int index, int columns) {
     return cut;
 }
 
-/// For a person to look at, where $MELTPOOL_PICTURES names a folder.
+/// Writes a picture for a person to look at if $MELTPOOL_PICTURES names a folder.
 void keep(const Image& image, const std::string& name) {
     if (const char* folder = std::getenv("MELTPOOL_PICTURES")) writePng(std::filesystem::path(folder) / name, image);
 }
 
-/// Draws the views in every way and compares each with its own one-view picture.
+/// Draws the views by every method and compares each with its own single-view picture.
 void checkAllWays(const std::string& name, const SceneView& scene, const LookParameters& look,
                   std::span<const View> views) {
     const auto count = static_cast<int>(views.size());
@@ -82,7 +82,7 @@ void checkAllWays(const std::string& name, const SceneView& scene, const LookPar
             CHECK(difference.farPixels < 0.002);
         }
     }
-    // Views that look alike would hide a view drawn for its neighbour.
+    // Similar views would hide a view drawn in another's place.
     CHECK(compareImages(alone.front(), alone.back(), 8).farPixels > 0.01);
 }
 
@@ -92,7 +92,8 @@ const test::SyntheticScene& synthetic() {
     return only;
 }
 
-/// Solids of every shape, the source, and a lens near enough that metal and points reach over the views' borders.
+/// Returns a scene with solids of every shape, the source, and a lens near enough that metal and points cross the
+/// views' borders.
 SceneView crowded(std::vector<Solid>& solids) {
     SceneView scene = synthetic().view();
     for (int i = 0; i < 4; ++i) {
@@ -139,7 +140,7 @@ TEST_CASE("large points at a view's border do not reach into its neighbour") {
     look.mode = kPointsMode;
     look.pointSize = 0.12f;
     std::array<View, 2> eyes = headsetEyes();
-    for (size_t i = 0; i < eyes.size(); ++i) // the metal lies across the border between the views
+    for (size_t i = 0; i < eyes.size(); ++i) // the metal crosses the border between the views
         eyes[i].eyeToClip[2][0] += i == 0 ? -0.9f : 0.9f;
     checkAllWays("border", scene, look, eyes);
 }
@@ -183,7 +184,7 @@ TEST_CASE("sparks, smoke, glare and an after-image look the same in each eye") {
     checkAllWays("effects", scene, look, eyes);
     look.visorShade = 5;
     checkAllWays("effects-visor", scene, look, eyes);
-    look.spatter = look.fume = false; // what is compared above is in the picture
+    look.spatter = look.fume = false; // the compared parts are in the picture
     const PictureTarget with(kSize, kSize, kSamples), without(kSize, kSize, kSamples);
     const View& view = eyes[0];
     rendererBy(ViewSubmission::passes).draw(scene, look, {&view, 1}, without.target(), nullptr);
@@ -205,7 +206,7 @@ TEST_CASE("a bead's ripples look the same in each eye") {
     rendererBy(ViewSubmission::passes).draw(weld.rippledView(), look, {&eyes[0], 1}, rippled.target(), nullptr);
     look.leftOut = bitOf(Measure::ripples);
     rendererBy(ViewSubmission::passes).draw(weld.rippledView(), look, {&eyes[0], 1}, plain.target(), nullptr);
-    CHECK(compareImages(rippled.read(), plain.read(), 8).farPixels > 0.02); // there are some
+    CHECK(compareImages(rippled.read(), plain.read(), 8).farPixels > 0.02); // ripples are visible
     CHECK(test::matchesGolden("render/ripples", rippled.read()));
 }
 

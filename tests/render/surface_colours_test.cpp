@@ -1,4 +1,4 @@
-// Colours of vertices for files: against the pictures and against the formulas behind them.
+// Colours of vertices for files: against the pictures and against their formulas.
 #include "core/render/camera.hpp"
 #include "core/render/look/heat_colours.hpp"
 #include "core/render/look/material_presets.hpp"
@@ -37,7 +37,7 @@ SceneView steelScene() {
     return scene;
 }
 
-/// Light as displayed (IEC 61966-2-1), 0..255.
+/// Returns light as displayed (IEC 61966-2-1), 0..255.
 double shownByte(float light) {
     const double l = double(light);
     return 255 * (l <= 0.0031308 ? 12.92 * l : 1.055 * std::pow(l, 1 / 2.4) - 0.055);
@@ -49,7 +49,7 @@ vec3 linearOf(vec3 shown) {
     return shown;
 }
 
-/// Grey below 0.6 stays, brighter light is compressed.
+/// Leaves grey below 0.6 and compresses brighter light.
 vec3 toned(vec3 light) {
     for (int i = 0; i < 3; ++i) {
         const float over = std::max(light[i] - 0.6f, 0.0f) / 0.4f;
@@ -58,7 +58,7 @@ vec3 toned(vec3 light) {
     return light;
 }
 
-/// Glow as it is drawn without a visor: its luminance compressed.
+/// Returns the glow as drawn without a visor: its luminance compressed.
 vec3 softened(const vec3& glow) {
     const float luminance = glm::dot(glow, vec3(0.2126f, 0.7152f, 0.0722f)), from = LookParameters().glowSoftening;
     return luminance > 0 ? glow * (from * std::log1p(luminance / from) / luminance) : glow;
@@ -68,13 +68,13 @@ vec3 colourOf(const SceneView& scene, const LookParameters& look, vec2 heat) {
     return surfaceColours(test::shaders(), scene, look, {&heat, 1}).front();
 }
 
-/// Near black a step of the scale's texture is some steps of the shown byte.
+/// Near black, one step of the scale's texture is several steps of the displayed byte.
 void checkColour(const vec3& colour, const vec3& expected) {
     for (int i = 0; i < 3; ++i)
         CHECK(shownByte(colour[i]) == Approx(shownByte(expected[i])).margin(5));
 }
 
-/// The pixel in the middle of the picture of a wall of this temperature, which the camera looks at.
+/// Returns the middle pixel of the picture of a wall of this temperature.
 vec3 wallInPicture(SceneView scene, const LookParameters& look, float temperature) {
     std::array<SurfaceVertex, 4> corners{};
     for (size_t i = 0; i < 4; ++i)
@@ -127,7 +127,7 @@ TEST_CASE("hot metal has its own light in the picture and at the vertices, by on
     for (const float kelvin : {300.0f, 1300.0f, 1600.0f, 1850.0f, 2100.0f}) {
         INFO(kelvin << " K");
         const float liquid = glm::clamp((kelvin - 1700) / 100, 0.0f, 1.0f);
-        const float scaled = glm::smoothstep(673.0f, 1173.0f, kelvin); // share of its surface under scale
+        const float scaled = glm::smoothstep(673.0f, 1173.0f, kelvin); // share of the surface under scale
         const float scale = (1 - material.scaledEmissivity) * glm::mix(1.0f, 1.5f, liquid);
         const float solid = glm::mix(material.cleanEmissivity, 1 - scale, scaled);
         const vec3 glow = softened(glm::mix(solid, material.liquidEmissivity, liquid) * blackBodyLight(double(kelvin)));

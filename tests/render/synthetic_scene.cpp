@@ -9,16 +9,16 @@ namespace meltpool::test {
 
 namespace {
 
-constexpr int kCells = 40; // per edge of the cube
+constexpr int kCells = 40; // cells per edge of the cube
 const glm::vec3 kCorner(0.5f);
 
-/// Temperature that a flame at the corner would leave: 1 at it, 0 beyond 0.62.
+/// Returns the temperature left by a flame at the corner: 1 at it, 0 beyond 0.62.
 float temperatureAt(const glm::vec3& p) {
     const float away = glm::distance(p, kCorner) / 0.62f;
     return std::max(0.0f, 1.0f - away * away);
 }
 
-/// The cube's corner rounded and run down: what is hot shrinks towards the middle, sinks and ripples.
+/// Rounds the cube's corner and lets it run down: hot metal shrinks towards the middle, sinks and ripples.
 glm::vec3 sagged(const glm::vec3& p) {
     const float heat = temperatureAt(p);
     const float melt = heat * heat * (3.0f - 2.0f * heat);
@@ -42,7 +42,7 @@ struct Mesh {
     std::vector<GLuint> indices;
 };
 
-/// Normal by differences along the face, rounded towards the edges as a density gradient is.
+/// Returns the normal by differences along the face, rounded towards the edges as a density gradient is.
 glm::vec3 normalAt(const glm::vec3& p, int axis, float side) {
     constexpr float step = 0.01f;
     glm::vec3 u(0.0f), v(0.0f);

@@ -1,4 +1,4 @@
-// A fixed scene that needs neither simulation nor extraction: a cube whose front corner has melted and sagged.
+// A fixed scene without simulation or extraction: a cube whose front corner has melted and sagged.
 #pragma once
 
 #include "core/gl/buffer.hpp"

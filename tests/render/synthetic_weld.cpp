@@ -19,7 +19,7 @@ constexpr double kLength = 0.08, kWidth = 0.04, kThickness = 0.008;
 constexpr double kSpacing = 0.0005;
 constexpr int kAlong = int(kLength / kSpacing), kAcross = int(kWidth / kSpacing), kDown = int(kThickness / kSpacing);
 
-/// Height of the bead over the plate: a low arch over what was molten, with the ripples of its freezing.
+/// Returns the height of the bead over the plate: a low arch over the molten area, with the ripples of its freezing.
 double beadHeight(double x, double z) {
     const double behind = kSourceX - x;
     if (behind < -0.004 || std::abs(z) > 0.004) return 0;
@@ -33,14 +33,14 @@ glm::dvec3 surfacePoint(double x, double z) {
     return {x, beadHeight(x, z), z};
 }
 
-/// Behind the pool the edges freeze before the middle.
+/// Returns the freezing time; behind the pool the edges freeze before the middle.
 SurfaceFreezing freezingAt(double x, double z) {
     return {glm::dvec3(1 / kSpeed, 0, -600 * z / kSpeed), static_cast<float>(20 + (x - 300 * z * z) / kSpeed)};
 }
 
-constexpr int kLayers = 12; ///< of the slab that is cut
+constexpr int kLayers = 12; ///< layers of the cut slab
 
-/// Particles only where the section cuts: a slab across the seam, behind the pool. w: temperature.
+/// Returns particles where the section cuts: a slab across the seam, behind the pool. w: temperature.
 std::vector<glm::vec4> particlesOfSlab() {
     std::vector<glm::vec4> particles;
     for (int i = -kLayers / 2; i < kLayers / 2; ++i)

@@ -6,20 +6,20 @@
 
 namespace meltpool::test {
 
-/// Temperature (K) around a point source of 1500 W that moves along +x at 5 mm/s over thick steel, at `at` (m) from it,
-/// y down into the plate. Never above 2700 K, as near a real pool.
+/// Returns the temperature (K) around a point source of 1500 W that moves along +x at 5 mm/s over thick steel, at `at`
+/// (m) from it, y down into the plate. Never above 2700 K, as near a real pool.
 double weldTemperature(const glm::dvec3& at);
-/// The highest temperature that metal `aside` (m) of the seam and `deep` below it has had once the source is `behind`
-/// (m, along -x) away.
+/// Returns the highest temperature reached by metal `aside` (m) of the seam and `deep` below it when the source is
+/// `behind` (m, along -x) away.
 double weldPeak(double behind, double aside, double deep);
 
 class SyntheticWeld {
   public:
     SyntheticWeld();
     SceneView view() const;
-    /// With the times at which the bead froze, for ripples.
+    /// Returns a view with the times at which the bead froze, for ripples.
     SceneView rippledView() const;
-    /// The cut across the seam at x = -10 mm, of 6 mm around it.
+    /// Returns the cut across the seam at x = -10 mm, 6 mm around it.
     SectionMap map() const;
 
   private:

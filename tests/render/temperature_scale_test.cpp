@@ -1,4 +1,4 @@
-// Temperature colours: the classic scale's points, the even scale's evenness, grey, and the texture made of them.
+// Temperature colours: the classic scale's points, the even scale's evenness, grey, and their texture.
 #include "core/render/look/temperature_scale.hpp"
 #include "shaders/shared/render.h"
 #include "tests/support/catch.hpp"

@@ -1,4 +1,4 @@
-// The drawn ghost: what is behind it stays in sight, what stands before it hides it, and it is seen through the visor.
+// The drawn ghost: the objects behind it remain visible, the objects in front hide it, and a visor shows it.
 #include "core/scene/ghost_model.hpp"
 
 #include "core/render/camera.hpp"
@@ -73,8 +73,8 @@ int green(const Image& image, int x, int y) {
     return image.rgb[static_cast<size_t>(y * image.width + x) * 3 + 1];
 }
 
-/// Pixels of one eye where the opaque torch differs clearly from what is behind it, and how many of them the ghost
-/// mixes.
+/// Counts of one eye's pixels: those where the opaque torch differs clearly from the background, and those among them
+/// that the ghost mixes.
 struct Mixed {
     int torch = 0, between = 0, changed = 0;
 };
@@ -112,7 +112,7 @@ TEST_CASE("in both eyes a ghost lies between what is behind it and an opaque tor
         CHECK(mixed.between > 0.95 * mixed.torch);
         CHECK(mixed.changed > 0.95 * mixed.torch);
     }
-    // A fading one is nearer to what is behind it.
+    // A fading ghost is closer to its background.
     const double full = compareImages(without, half, 5).mean;
     CHECK(compareImages(without, stage.picture(stage.ghost(0.25F)), 5).mean < 0.5 * full);
 }
@@ -120,7 +120,7 @@ TEST_CASE("in both eyes a ghost lies between what is behind it and an opaque tor
 TEST_CASE("a wall before the ghost hides it, and the ghost hides no marker behind it") {
     const Stage stage;
     CHECK(compareImages(stage.picture({}, {}, true), stage.picture(stage.ghost(), {}, true), 0).largest == 0);
-    // A sign that lies wholly behind the ghost for both eyes, drawn later: the ghost has left no depth.
+    // A sign entirely behind the ghost for both eyes is drawn later: the ghost leaves no depth.
     Marker sign;
     sign.shape = SolidShape::sphere;
     sign.toWorld =

@@ -1,4 +1,4 @@
-// Measures as strokes: lines where they belong, words beside them, and the same pixels that the strokes say.
+// Measures as strokes: lines at their places, words next to them, and pixels that agree with the strokes.
 #include "core/render/camera.hpp"
 #include "core/render/picture_target.hpp"
 #include "core/render/renderer.hpp"
@@ -28,12 +28,12 @@ SectionMark mark(const std::string& label, glm::vec2 from, glm::vec2 to) {
     return made;
 }
 
-/// The colour of measures, not of their dark edges.
+/// True for the colour of measures, false for their dark edges.
 bool isBright(glm::vec4 colour) {
     return colour.g > 0.8f && colour.a == 1;
 }
 
-/// Looks along -x at the plane, 20 mm high.
+/// Returns a view along -x at the plane, 20 mm high.
 View square() {
     return FreeCamera({kAt + 0.02f, 0, 0}, {kAt, 0, 0}).view({.fieldOfView = 0.9273f, .nearest = 0.002f}, 1);
 }
@@ -123,7 +123,7 @@ TEST_CASE("a measure's line ends where it is asked to, and words lie beside all 
                    glm::distance(s.to, each.to) < 1e-7f;
         }));
     }
-    // The grounds of the words: none of them over a measure.
+    // The words' backgrounds cover no measure.
     for (const SectionStroke& stroke : strokes) {
         if (stroke.width < 1.5f * layout.text) continue;
         const float low = std::min(stroke.from.x, stroke.to.x), high = std::max(stroke.from.x, stroke.to.x);

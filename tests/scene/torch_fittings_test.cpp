@@ -1,5 +1,5 @@
-// The finer torch and the hands: they follow the pose, stay behind what shadow and mirror know, and leave the pool in
-// sight.
+// The finer torch and the hands: they follow the pose, remain behind the cylinders that shadow and reflection use, and
+// leave the pool visible.
 #include "core/render/frame_block.hpp"
 #include "core/render/sight.hpp"
 #include "core/render/solid_meshes.hpp"
@@ -30,7 +30,7 @@ TorchSample leaning() {
     return torch;
 }
 
-/// Least distance of a shape's surface to a place.
+/// Returns the least distance of a shape's surface to a place.
 float distanceTo(const SolidMeshes& meshes, const Solid& solid, glm::vec3 place) {
     const SolidMeshes::Range range = meshes.shapes[static_cast<size_t>(solid.shape)];
     float least = 1e9f;
@@ -48,7 +48,7 @@ TEST_CASE("every shape is closed, looks outwards and fits into its box") {
     for (size_t shape = 0; shape < kSolidShapes; ++shape) {
         const SolidMeshes::Range range = meshes.shapes[shape];
         REQUIRE(range.count > 0);
-        double volume = 0; // by the divergence theorem: positive where triangles look outwards
+        double volume = 0; // by the divergence theorem, positive if triangles face outwards
         for (int i = range.first; i < range.first + range.count; i += 3) {
             const auto at = [&](int corner) {
                 return meshes.vertices[meshes.indices[static_cast<size_t>(i + corner)]];
@@ -56,7 +56,7 @@ TEST_CASE("every shape is closed, looks outwards and fits into its box") {
             const glm::vec3 a = at(0).position, b = at(1).position, c = at(2).position;
             const glm::vec3 face = glm::cross(b - a, c - a);
             volume += static_cast<double>(glm::dot(a, face)) / 6;
-            if (glm::length(face) < 1e-7f) continue; // at a pole
+            if (glm::length(face) < 1e-7f) continue; // degenerate triangle at a pole
             CHECK(glm::dot(face, at(0).normal + at(1).normal + at(2).normal) > 0);
             for (int corner = 0; corner < 3; ++corner) {
                 CHECK(glm::length(at(corner).normal) == Approx(1).margin(1e-4));
@@ -64,7 +64,7 @@ TEST_CASE("every shape is closed, looks outwards and fits into its box") {
                     CHECK(glm::all(glm::lessThanEqual(glm::abs(at(corner).position), glm::vec3(0.50001f))));
             }
         }
-        if (static_cast<SolidShape>(shape) == SolidShape::slab) continue; // one face
+        if (static_cast<SolidShape>(shape) == SolidShape::slab) continue; // a slab has a single face
         INFO("shape " << shape << ", volume " << volume);
         CHECK(volume > 0.05);
         CHECK(volume < (static_cast<SolidShape>(shape) == SolidShape::bend ? 3 : 1.0001));
@@ -90,7 +90,7 @@ TEST_CASE("fittings move and turn with the torch, and none but its own head come
             near += away < 0.06f;
         }
         CHECK(near < 8);
-        // The shadow and the pool's mirror know the same cylinders as without them.
+        // The shadow and the pool's reflection use the torch's cylinders with and without fittings.
         SceneView scene;
         buildTorchModel(coarse, torch, process, {}, glm::mat4(1));
         scene.solids = coarse;
@@ -99,7 +99,7 @@ TEST_CASE("fittings move and turn with the torch, and none but its own head come
         CHECK(makeFrame(scene, {}).torchPartCount == without.torchPartCount);
         CHECK(without.torchPartCount >= 2);
         CHECK(std::any_of(coarse.begin(), coarse.end(), [](const Solid& solid) { return solid.coarse; }));
-        if (traitsOf(process).torch == TorchShape::burner) continue; // all of it but the flame
+        if (traitsOf(process).torch == TorchShape::burner) continue; // all but the flame's burner
         CHECK(std::any_of(coarse.begin(), coarse.end(), [](const Solid& solid) { return !solid.coarse; }));
     }
 }
@@ -125,8 +125,8 @@ TEST_CASE("what stands before the tip is known") {
     rod.toWorld = alongLine({-1, 0, 0.5f}, {1, 0, 0.5f}, 0.2f);
     CHECK(standsBefore(rod, {0, 0, 1}, {0, 0, 0}, 0.01f));
     CHECK_FALSE(standsBefore(rod, {0, 0.3f, 1}, {0, 0.3f, 0}, 0.01f));
-    CHECK_FALSE(standsBefore(rod, {0, 0, 0.2f}, {0, 0, 0}, 0.01f)); // the eye is between
-    CHECK(standsBefore(rod, {0, 0.05f, 0.5f}, {0, 4, 0}, 0.01f));   // the eye is inside
+    CHECK_FALSE(standsBefore(rod, {0, 0, 0.2f}, {0, 0, 0}, 0.01f)); // the eye is between both
+    CHECK(standsBefore(rod, {0, 0.05f, 0.5f}, {0, 4, 0}, 0.01f));   // the eye is inside the solid
 }
 
 TEST_CASE("the machine shows the settings of its process") {
@@ -135,7 +135,7 @@ TEST_CASE("the machine shows the settings of its process") {
     CHECK(equipmentOf(process).displays[0].value == 23);
     std::vector<Solid> solids, others;
     addMachine(solids, glm::mat4(1), process);
-    process.of<Gmaw>().voltage = 11.1f; // ones have fewer strokes
+    process.of<Gmaw>().voltage = 11.1f; // the digit 1 has fewer strokes
     addMachine(others, glm::mat4(1), process);
     const auto lit = [](const std::vector<Solid>& all) {
         return std::count_if(all.begin(), all.end(), [](const Solid& solid) { return solid.glow.r > 0; });
@@ -176,7 +176,7 @@ TEST_CASE("the table stands on the floor, what holds the plate on the table, and
             for (const WorkpieceBlock& block : piece.blocks)
                 CHECK_FALSE((glm::all(glm::greaterThan(at, block.low + 1e-4f)) &&
                              glm::all(glm::lessThan(at, block.high - 1e-4f))));
-            CHECK((at.y < piece.bodyHigh.y - 1e-5f || std::abs(at.z) > 0.005f)); // nothing over the seam
+            CHECK((at.y < piece.bodyHigh.y - 1e-5f || std::abs(at.z) > 0.005f)); // no part is over the seam
         }
     }
 }

@@ -1,4 +1,4 @@
-// The drawn torch: it stands behind its tip, follows the pose, and glows only with the trigger pulled.
+// The drawn torch: it extends back from its tip, follows the pose, and glows only with the trigger pulled.
 #include "core/scene/torch_model.hpp"
 #include "core/weld/torch/torch_moves.hpp"
 #include "tests/support/catch.hpp"
@@ -15,7 +15,7 @@ bool anyGlow(const std::vector<Solid>& solids) {
     return false;
 }
 
-/// An arc as it burns 2 mm over the metal.
+/// Returns an arc that burns 2 mm over the metal.
 ArcState burning(const ProcessSettings& process) {
     ArcState arc;
     arc.action = ArcAction::burning;
@@ -53,7 +53,7 @@ TEST_CASE("every process draws a torch that reaches from its tip to the handle",
             for (const float end : {-0.5f, 0.5f}) {
                 const glm::vec3 place = glm::vec3(solid.toWorld * glm::vec4(0, 0, end, 1)) / 25.0f;
                 const float behind = glm::dot(place - torch.tip, -torch.axis());
-                CHECK(glm::length(place - torch.tip + torch.axis() * behind) < 1e-4f); // on the axis
+                CHECK(glm::length(place - torch.tip + torch.axis() * behind) < 1e-4f); // point on the axis
                 nearest = std::min(nearest, behind);
                 farthest = std::max(farthest, behind);
             }

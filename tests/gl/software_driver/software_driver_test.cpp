@@ -1,4 +1,4 @@
-// The driver without a card: its name and age, and how many threads it is given.
+// The software driver: its name and version, and its number of threads.
 #include "core/gl/software_driver/software_driver.hpp"
 #include "tests/support/catch.hpp"
 
@@ -38,7 +38,7 @@ TEST_CASE("the processor is told from a card by the extensions of its device", "
 
 namespace {
 
-/// Puts the variable back as it was.
+/// Restores the environment variable at its end.
 class KeptThreads {
   public:
     KeptThreads() {

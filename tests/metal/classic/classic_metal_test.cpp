@@ -1,5 +1,4 @@
-// The classic model as a whole: solid stays put, the same run gives the same bits, nothing is lost, trouble is
-// reported.
+// The classic model as a whole: immobile solid, repeatable bits, no loss of particles, and reported faults.
 #include "core/base/error.hpp"
 #include "tests/metal/classic/classic_twin.hpp"
 #include "tests/support/catch.hpp"
@@ -39,7 +38,7 @@ TEST_CASE("a solid cube does not move by one bit") {
         ClassicMetal metal(test::shaders(), {20032, arrangement, 1});
         const auto before = metal.snapshot().positions;
         const auto hash = metal.stateHash();
-        run(metal, 60, {glm::vec3(0.9F), 1.0F, false}); // the flame reaches nothing there
+        run(metal, 60, {glm::vec3(0.9F), 1.0F, false}); // out of the flame's reach
         CHECK(sameBits(metal.snapshot().positions, before));
         CHECK(metal.stateHash() == hash);
     }
@@ -56,7 +55,7 @@ TEST_CASE("a flame at one corner melts that corner only, and off it freezes agai
     CHECK(melted.molten < 4000);
     CHECK(melted.maxTemperature > 0.9);
     CHECK(melted.minTemperature == 0);
-    for (size_t i = 0; i < before.size(); ++i) // the half away from the flame: not a bit has changed
+    for (size_t i = 0; i < before.size(); ++i) // the half away from the flame is bitwise unchanged
         if (before[i].x + before[i].y + before[i].z < 0) {
             if (std::memcmp(&before[i], &hot[i], sizeof before[i]) != 0) FAIL("particle " << i << " has changed");
         }
@@ -143,7 +142,7 @@ TEST_CASE("statistics agree with the particles, waited for or not") {
         CAPTURE(count);
         ClassicMetal metal(test::shaders(), {count, ClassicSetup::kOrdered, 1});
         auto state = test::livelyState(size_t(count), 1.0, 2);
-        if (count > 1) state.positions.back().x = 1.5F; // somebody outside
+        if (count > 1) state.positions.back().x = 1.5F; // one particle outside the box
         metal.restore(state);
         MetalStatistics expected{size_t(count), 0, count > 1 ? size_t(1) : size_t(0), 0, 2, 0, -1};
         for (const glm::vec4& p : state.positions) {

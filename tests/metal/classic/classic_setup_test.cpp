@@ -1,5 +1,5 @@
-// What needs no GPU: kernels against their integrals, start arrangements, the parameters' descriptions, the grid's
-// size.
+// The classic model's parts that need no GPU: kernels against their integrals, start arrangements, descriptions of
+// parameters, and the grid's size.
 #include "core/base/error.hpp"
 #include "core/metal/classic/arrangement.hpp"
 #include "core/metal/classic/cell_order.hpp"
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// Integral of f from `from` to `to`, Simpson's rule.
+/// Returns the integral of f between the bounds by Simpson's rule.
 double integrate(double from, double to, const std::function<double(double)>& f) {
     const int pieces = 4000;
     const double width = (to - from) / pieces;
@@ -38,13 +38,13 @@ TEST_CASE("the classic kernels integrate to one") {
     for (const double h : {0.02, 0.05, 0.3, 1.0}) {
         const ClassicKernels kernels(h);
         CHECK(overSphere(h, [&](double r) { return kernels.poly6(r); }) == Approx(1).epsilon(1e-9));
-        // By parts: the integral of W over the sphere is that of -slope 4/3 pi r³ over r.
+        // Integration by parts: the integral of W over the sphere is that of -slope 4/3 pi r³ over r.
         CHECK(integrate(0, h, [&](double r) { return -kernels.spikySlope(r) * 4 / 3 * kPi * r * r * r; }) ==
               Approx(1).epsilon(1e-9));
-        // Gauss: the Laplacian inside radius r makes the slope at r, and that in turn the kernel.
+        // Gauss's theorem: the Laplacian inside radius r gives the slope at r, and the slope gives the kernel.
         const auto slope = [&](double r) {
             return overSphere(r, [&](double s) { return kernels.viscosityLaplacian(s); }) / (4 * kPi * r * r) -
-                   15.0 / (4 * kPi * h * h * r * r); // of the kernel's h/(2r), which is harmonic for r > 0
+                   15.0 / (4 * kPi * h * h * r * r); // the kernel's term h/(2r) is harmonic for r > 0
         };
         const double total = integrate(1e-6 * h, h, [&](double r) { return -slope(r) * 4 / 3 * kPi * r * r * r; });
         CHECK(total == Approx(1).epsilon(1e-4));

@@ -1,4 +1,4 @@
-// The cell-sorted grid: every particle once, cells in order, one order inside a cell, and no neighbour missed.
+// The cell-sorted grid: every particle once, cells in order, a fixed order inside a cell, and no missed neighbour.
 #include "core/base/text.hpp"
 #include "core/gl/buffer_view.hpp"
 #include "core/metal/classic/cell_order.hpp"
@@ -17,7 +17,7 @@ namespace meltpool {
 
 namespace {
 
-/// What a sort reads and writes, without a model around it.
+/// The buffers that a sort reads and writes, without a model.
 struct SortBench {
     SortBench(const ClassicMetal::Snapshot& state, const std::vector<uint>& numbers, float h)
         : count(numbers.size()),
@@ -68,7 +68,7 @@ std::vector<uint> shuffledNumbers(size_t count) {
     return numbers;
 }
 
-/// Adds up who the neighbours are, each by its place in cell order, over the same walk that density and forces use.
+/// Adds up the neighbours, each by its place in cell order, in the walk that density and forces use.
 const char* kNeighbourShader = R"(#version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "metal/classic/neighbours.glsl"
@@ -163,7 +163,7 @@ TEST_CASE("the grid finds the neighbours that all pairs find") {
 
 TEST_CASE("neighbours on the faces of cells and of the box are found") {
     test::context();
-    ClassicMetal::Snapshot state; // a lattice whose rows lie on the cells' faces and on the walls
+    ClassicMetal::Snapshot state; // a lattice with rows on the cells' faces and on the walls
     for (int z = -4; z <= 4; ++z)
         for (int y = -4; y <= 4; ++y)
             for (int x = -4; x <= 4; ++x)

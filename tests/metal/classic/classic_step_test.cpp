@@ -13,7 +13,7 @@ namespace meltpool {
 namespace {
 
 struct Difference {
-    double position = 0, velocity = 0, temperature = 0, density = 0; ///< the largest; density relative
+    double position = 0, velocity = 0, temperature = 0, density = 0; ///< largest differences; density relative
 };
 
 Difference compare(const std::vector<test::TwinParticle>& twin, const ClassicMetal::Snapshot& state) {
@@ -28,7 +28,7 @@ Difference compare(const std::vector<test::TwinParticle>& twin, const ClassicMet
     return most;
 }
 
-/// One particle far from everything else.
+/// A single particle far from all others.
 struct Single {
     explicit Single(glm::vec4 start, glm::vec3 startVelocity = glm::vec3(0)) : metal(test::shaders(), {1, 0, 1}) {
         metal.parameters.solidifyRate = 0;
@@ -53,7 +53,7 @@ TEST_CASE("a step agrees with the CPU twin, with the grid and over all pairs") {
             if (allPairs && count > 2000) continue;
             CAPTURE(count, allPairs);
             ClassicMetal metal(test::shaders(), {count, ClassicSetup::kOrdered, 1});
-            // About 20 neighbours, a density near rest, and forces on both sides of the limit.
+            // The support radius gives about 20 neighbours, a density near rest, and forces on both sides of the limit.
             metal.parameters.supportRadius = 0.05F;
             metal.parameters.particleMass = 0.002F;
             metal.parameters.accelerationLimit = 60;
@@ -114,7 +114,7 @@ TEST_CASE("several steps, with walls, a cold source and a radius that changes, s
 TEST_CASE("the source heats by the squared distance over the heat radius, up to 1") {
     for (const float distance : {0.0F, 0.1F, 0.2F, 0.29F, 0.31F, 0.5F}) {
         Single single(glm::vec4(distance, 0, 0, 0));
-        single.metal.parameters.heatRadius = 0.09F; // reaches 0.3 far
+        single.metal.parameters.heatRadius = 0.09F; // distance 0.3, beyond the radius
         single.metal.parameters.heatTemperature = 0.3F;
         const ClassicSource source{glm::vec3(0), 0.5F, false};
         single.step(source);

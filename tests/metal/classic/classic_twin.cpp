@@ -42,7 +42,7 @@ glm::dvec3 accelerationOf(size_t i, const std::vector<TwinParticle>& particles, 
         const glm::dvec3 apart = own.position - other.position;
         const double r = glm::length(apart);
         const double mean = (pressure(own.density) + pressure(other.density)) / (2 * other.density);
-        if (r > 0) force -= mass * mean * kernels.spikySlope(r) * apart / r; // else there is no direction
+        if (r > 0) force -= mass * mean * kernels.spikySlope(r) * apart / r; // coincident particles have no direction
         force += double(p.viscosity) * mass * (other.velocity - own.velocity) / other.density *
                  kernels.viscosityLaplacian(r);
     }

@@ -17,16 +17,16 @@ struct TwinParticle {
     double density = 0;
 };
 
-/// The snapshot's state in double precision; density 0.
+/// Returns the snapshot's state in double precision, with density 0.
 std::vector<TwinParticle> twinOf(const ClassicMetal::Snapshot& state);
 
-/// Numbers of the particles at most h away from each one, itself included, rising.
+/// Returns the ascending numbers of the particles at most h away from each one, itself included.
 std::vector<std::vector<size_t>> twinNeighbours(const std::vector<TwinParticle>& particles, double h);
 
-/// One step: heating, density and pressure; acceleration; integration.
+/// Makes one step: heating, density and pressure; acceleration; integration.
 void twinStep(std::vector<TwinParticle>& particles, const ClassicParameters& parameters, const ClassicSource& source);
 
-/// A state in which everything happens: particles at random in a cube of edge `edge` around the origin, a third solid,
+/// Returns a state that covers all cases: random particles in a cube of edge `edge` around the origin, a third solid,
 /// the rest with temperatures 0.1 .. 1 and speeds up to 1.
 ClassicMetal::Snapshot livelyState(size_t count, double edge, unsigned seed);
 

@@ -1,5 +1,4 @@
-// What makes hot liquid rise, and that liquid which moves carries its heat along and spreads no more of it than it
-// conducts.
+// Buoyancy and heat transport: hot liquid rises, and moving liquid carries its heat and spreads it by conduction alone.
 #include "core/metal/flow/flow.hpp"
 #include "core/validation/heat_bench.hpp"
 #include "tests/support/catch.hpp"
@@ -37,7 +36,7 @@ FlowFluid expanding() {
     return fluid;
 }
 
-/// Mean velocity after 0.01 s of what starts at rest.
+/// Returns the mean velocity after 0.01 s of metal that starts at rest.
 glm::dvec3 velocityAfter(const std::vector<MetalSeed>& seeds, const FlowSpace& space) {
     MetalState state(MetalLattice::covering(space.low, space.high, kSpacing), HeatTable(plainMetal()), 7000,
                      seeds.size());
@@ -51,7 +50,7 @@ glm::dvec3 velocityAfter(const std::vector<MetalSeed>& seeds, const FlowSpace& s
     return sum;
 }
 
-/// Places of liquid that was shaken by up to `shake` spacings and then left to itself for `seconds`, in a box that
+/// Returns the places of liquid that is shaken by up to `shake` spacings and settles for `seconds`, in a box that
 /// repeats along every axis.
 std::vector<vec4> settled(std::vector<MetalSeed> seeds, glm::vec3 low, glm::vec3 high, float shake, double seconds) {
     std::mt19937 random(11);
@@ -68,7 +67,7 @@ std::vector<vec4> settled(std::vector<MetalSeed> seeds, glm::vec3 low, glm::vec3
     return state.position.read<vec4>(seeds.size());
 }
 
-/// The diffusivity whose step profile around `edge` fits the temperatures best after `seconds`.
+/// Returns the diffusivity whose step profile around `edge` best fits the temperatures after `seconds`.
 double fittedDiffusivity(const std::vector<vec4>& places, double edge, double seconds) {
     double best = 0, least = 1e300;
     for (double alpha = 2e-6; alpha < 2e-5; alpha *= 1.005) {
@@ -94,9 +93,9 @@ TEST_CASE("Hot liquid is lighter by its expansion, and what flies is not", "[flo
     for (int i = 0; i < 512; ++i)
         full.push_back(
             {(glm::vec3(i % 8, i / 8 % 8, i / 64) + 0.5F) * kSpacing, kHot, PHASE_ALIVE | PHASE_LIQUID, glm::vec3(0)});
-    // 500 K above where it has its whole weight: 5 % lighter.
+    // At 500 K above the temperature of full weight, liquid is 5 % lighter.
     CHECK(velocityAfter(full, space).y == Approx(-0.0981 * 0.95).epsilon(1e-4));
-    // Without the hydrostatic part the rest lifts.
+    // Without the hydrostatic part, the remaining force lifts.
     space.acceleration = {0, 9.81F, 0};
     CHECK(velocityAfter(full, space).y == Approx(0.0981 * 0.05).epsilon(1e-4));
     space.acceleration = {0, 0, 0};

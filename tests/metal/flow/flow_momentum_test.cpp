@@ -1,5 +1,5 @@
-// Drops in space: each force has its opposite, to the bit, so that momentum changes by the rounding of sums alone; and
-// the neighbour lists that serve for several substeps hold whoever is near.
+// Drops in space: forces are equal and opposite to the bit, so momentum changes by rounding alone, and neighbour lists
+// that serve several substeps contain every near particle.
 #include "core/validation/flow_bench.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
@@ -14,7 +14,7 @@ namespace {
 
 constexpr float kSpacing = 1e-3F;
 
-/// Adds a ball of liquid, shaken: places by a tenth of a spacing, velocities (m/s) by 0.01 an axis.
+/// Adds a shaken ball of liquid: places by a tenth of a spacing, velocities (m/s) by 0.01 an axis.
 void addBall(std::vector<MetalSeed>& seeds, glm::vec3 centre, float radius, glm::vec3 velocity, std::mt19937& random) {
     std::uniform_real_distribution<float> shake(-0.1F, 0.1F);
     const auto shaken = [&] { return glm::vec3(shake(random), shake(random), shake(random)); };
@@ -28,7 +28,7 @@ void addBall(std::vector<MetalSeed>& seeds, glm::vec3 centre, float radius, glm:
     }
 }
 
-/// A ball of 560 particles.
+/// Returns a ball of 560 particles.
 std::vector<MetalSeed> oneDrop() {
     std::mt19937 random(11);
     std::vector<MetalSeed> seeds;
@@ -36,7 +36,7 @@ std::vector<MetalSeed> oneDrop() {
     return seeds;
 }
 
-/// Two balls that go against each other at 0.3 m/s and off the centre, together slowly aside.
+/// Returns two balls that collide off centre at 0.3 m/s and together drift slowly sideways.
 std::vector<MetalSeed> twoDrops() {
     std::mt19937 random(12);
     std::vector<MetalSeed> seeds;
@@ -48,8 +48,8 @@ std::vector<MetalSeed> twoDrops() {
 
 /// Sums over the particles for a particle mass of 1.
 struct Momenta {
-    glm::dvec3 linear{0}, angular{0};  ///< the latter about the origin
-    double ofSpeeds = 0, ofLevers = 0; ///< of the amounts of each
+    glm::dvec3 linear{0}, angular{0};  ///< angular momentum about the origin
+    double ofSpeeds = 0, ofLevers = 0; ///< sums of absolute values
 };
 
 Momenta momentaOf(const FlowBench& bench) {
@@ -64,7 +64,7 @@ Momenta momentaOf(const FlowBench& bench) {
     return sums;
 }
 
-/// Mean and largest error of the density ratio that lists make, against that of all pairs.
+/// Mean and largest error of the density ratio from lists, against the ratio from all pairs.
 struct DensityErrors {
     double mean = 0, most = 0;
 };
@@ -100,7 +100,7 @@ TEST_CASE("drops in space keep their momentum to float accuracy") {
     const Momenta after = momentaOf(bench);
     CHECK(glm::length(after.linear - before.linear) < 1e-6 * before.ofSpeeds);
     CHECK(glm::length(after.angular - before.angular) < 1e-6 * before.ofLevers);
-    CHECK(bench.flow.readSearches() < bench.steps * 3 / 4); // lists served for several substeps
+    CHECK(bench.flow.readSearches() < bench.steps * 3 / 4); // lists serve several substeps
     CHECK_FALSE(bench.flow.readFaults().any());
 }
 
@@ -115,7 +115,7 @@ TEST_CASE("without surface tension drops that collide keep their angular momentu
     const Momenta after = momentaOf(bench);
     CHECK(glm::length(after.linear - before.linear) < 1e-6 * before.ofSpeeds);
     CHECK(glm::length(after.angular - before.angular) < 1e-6 * before.ofLevers);
-    CHECK(after.ofSpeeds < 0.9 * before.ofSpeeds); // they did meet
+    CHECK(after.ofSpeeds < 0.9 * before.ofSpeeds); // the balls have collided
     CHECK_FALSE(bench.flow.readFaults().any());
 }
 

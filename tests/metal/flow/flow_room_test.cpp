@@ -1,4 +1,4 @@
-// The flow's lists have room for the metal that moves and grow with it, without a trace in the results.
+// The capacity of the flow's lists: they fit the moving metal and grow with it, without effect on the results.
 #include "core/validation/flow_bench.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
@@ -12,7 +12,7 @@ namespace {
 constexpr double kSpacing = 1e-3;
 constexpr double kFrame = 1.0 / 90;
 
-/// A block of wall metal, 18 x 12 x 18 particles, in a space with room around it.
+/// Makes a block of wall metal, 18 x 12 x 18 particles, in a space with room around it.
 FlowBench solidBlock() {
     std::vector<MetalSeed> seeds;
     addBlock(seeds, glm::vec3(0), glm::vec3(18e-3F, 12e-3F, 18e-3F), kSpacing, false);
@@ -32,7 +32,7 @@ void setPhases(FlowBench& bench, const std::function<unsigned(const glm::vec3&)>
     bench.state.noteRegrouping();
 }
 
-/// Largest error of the density of liquid against the sum over all pairs.
+/// Returns the largest error of the density of liquid against the sum over all pairs.
 double densityError(const FlowBench& bench) {
     const auto computed = bench.flow.readParticles();
     std::vector<OracleParticle> particles;

@@ -1,4 +1,4 @@
-// The flow's passes against their twin in double precision, and what must hold however the metal moves.
+// The flow's passes against their twin in double precision, and the laws that hold for any motion of the metal.
 #include "core/metal/flow/flow.hpp"
 #include "core/metal/flow/flow_oracle.hpp"
 #include "tests/support/catch.hpp"
@@ -37,7 +37,7 @@ struct Scene {
 
 constexpr float kHot = 2000;
 
-/// A slightly shaken block of liquid on two layers of solid, 9 x 9 x 7 particles.
+/// Returns a slightly shaken block of liquid on two layers of solid, 9 x 9 x 7 particles.
 std::vector<MetalSeed> puddle(float dx) {
     std::mt19937 random(7);
     std::uniform_real_distribution<float> shake(-0.1F, 0.1F);
@@ -80,7 +80,7 @@ TEST_CASE("the flow's sweeps do what their twin does") {
     fluid.spacing = 1e-3;
     fluid.wetting = 0.7;
     fluid.wallFriction = 0.6;
-    fluid.coldWetting = 0.3; // the walls' 300 K are between cold and warm
+    fluid.coldWetting = 0.3; // the walls' 300 K are between cold and warm wetting
     fluid.coldBelow = 200;
     fluid.warmAbove = 400;
     const glm::vec3 gravity(1, -9.81F, 2);
@@ -192,13 +192,13 @@ TEST_CASE("what melts begins to move, what freezes stands still, none is lost") 
     }
     CHECK_FALSE(scene.flow.readFaults().any());
     const auto end = scene.state.position.read<vec4>(seeds.size());
-    for (const vec4& place : end) // it may wet the plate's rim, but clings to it
+    for (const vec4& place : end) // liquid may wet the plate's rim, but clings to it
         CHECK(glm::length(glm::vec3(place) - 4.5F * dx) < 10 * dx);
 }
 
 namespace {
 
-/// A level pool without solid, 16 x 8 x 16 particles; warmer by `slope` K a metre towards +x.
+/// Returns a level pool without solid, 16 x 8 x 16 particles; warmer by `slope` K a metre towards +x.
 std::vector<MetalSeed> levelPool(float dx, float slope) {
     std::vector<MetalSeed> seeds;
     for (int z = 0; z < 16; ++z)
@@ -213,7 +213,8 @@ std::vector<MetalSeed> levelPool(float dx, float slope) {
     return seeds;
 }
 
-/// Force (N) on the particles that `chosen` names, of one short substep, over that without what `change` sets.
+/// Returns the difference of the force (N) on the `chosen` particles in one short substep, with and without the
+/// settings of `change`.
 glm::dvec3 forceOf(const FlowFluid& fluid, const std::vector<MetalSeed>& seeds, const FlowSpace& space,
                    const ArcPressure& arc, const std::function<bool(glm::vec3)>& chosen) {
     Scene scene(seeds, fluid, space, glm::vec3(0));
@@ -248,8 +249,7 @@ TEST_CASE("an arc's jet drags the surface away from its axis, by its drag's inte
     const auto seeds = levelPool(dx, 0);
     const FlowSpace space{glm::vec3(-0.01F), glm::vec3(0.03F)};
     ArcPressure arc{glm::vec3(8, 8, 8) * dx, glm::vec3(0, -1, 0), 2e-3F, 500};
-    // One quarter of a ring about the axis, where edges of the pool are far: along its middle line, the drag is
-    // outwards.
+    // One quarter of a ring about the axis, far from the pool's edges: along its middle line the drag is outwards.
     const auto quarter = [&](glm::vec3 place) {
         const glm::vec3 off = place - arc.place;
         return off.x > std::abs(off.z) && glm::length(glm::vec3(off.x, 0, off.z)) < 5 * dx;
@@ -302,8 +302,8 @@ TEST_CASE("cold metal is wetted less than hot metal") {
             }
         heights.push_back(sum / count / dx);
     }
-    CHECK(heights[0] > 1.5);              // it keeps together as a drop
-    CHECK(heights[1] < 0.7 * heights[0]); // it spreads
+    CHECK(heights[0] > 1.5);              // remains a drop
+    CHECK(heights[1] < 0.7 * heights[0]); // spreads
 }
 
 TEST_CASE("frozen metal off the lattice stops drops, and a moving piece takes them along") {
@@ -323,7 +323,7 @@ TEST_CASE("frozen metal off the lattice stops drops, and a moving piece takes th
         seeds.push_back(seed);
     }
     const size_t slab = seeds.size();
-    for (int i = 0; i < 9; ++i) { // apart from each other, each on another place between the slab's particles
+    for (int i = 0; i < 9; ++i) { // drops apart from each other, each at another offset to the slab's particles
         MetalSeed drop;
         drop.position =
             glm::vec3(3.5F + 4.13F * static_cast<float>(i % 3), 5, 3.5F + 4.21F * static_cast<float>(i / 3)) * dx;
@@ -337,7 +337,7 @@ TEST_CASE("frozen metal off the lattice stops drops, and a moving piece takes th
     for (int frame = 0; frame < 9; ++frame) {
         scene.flow.step(1.0 / 90, nullptr);
         if (!piece) continue;
-        auto places = scene.state.position.read<vec4>(seeds.size()); // the solid pieces' own step
+        auto places = scene.state.position.read<vec4>(seeds.size()); // done in a simulation by the fragments' own step
         for (size_t i = 0; i < slab; ++i)
             places[i].y += rising.y / 90;
         scene.state.position.write(std::span<const vec4>(places));
@@ -362,7 +362,7 @@ TEST_CASE("warmth pulls the surface towards the cold") {
     const glm::dvec3 without = forceOf(fluid, seeds, space, {}, inTheMiddle);
     fluid.tensionSlopes.values.fill(-4e-4);
     const glm::dvec3 force = forceOf(fluid, seeds, space, {}, inTheMiddle) - without;
-    const double area = 2 * 6e-3 * 16e-3; // above and below
+    const double area = 2 * 6e-3 * 16e-3; // upper and lower face
     CHECK(force.x == Approx(-4e-4 * static_cast<double>(slope) * area).epsilon(0.1));
     CHECK(std::abs(force.y) < 0.02 * std::abs(force.x));
 }
@@ -370,7 +370,7 @@ TEST_CASE("warmth pulls the surface towards the cold") {
 TEST_CASE("the slope of surface tension at a place's own temperature drives it") {
     test::context();
     const float dx = 1e-3F;
-    const float slope = 1e5F; // K/m: 1600 K from end to end
+    const float slope = 1e5F; // K/m; 1600 K from end to end
     const auto seeds = levelPool(dx, slope);
     FlowFluid fluid;
     FlowSpace space{glm::vec3(0, -0.01F, 0), glm::vec3(16 * dx, 0.03F, 16 * dx)};
@@ -379,15 +379,15 @@ TEST_CASE("the slope of surface tension at a place's own temperature drives it")
     const auto right = [&](glm::vec3 place) { return std::abs(place.x - 11 * dx) < 2 * dx; };
     const glm::dvec3 leftWithout = forceOf(fluid, seeds, space, {}, left);
     const glm::dvec3 rightWithout = forceOf(fluid, seeds, space, {}, right);
-    // From +4e-4 to -4e-4 over the pool's temperatures: 0 in its middle.
+    // The slope falls from +4e-4 to -4e-4 over the pool's temperatures and is 0 in its middle.
     TensionSlopes slopes;
     slopes.from = static_cast<double>(kHot);
     slopes.step = static_cast<double>(slope) * 16e-3 / 15;
     for (size_t i = 0; i < 16; ++i)
         slopes.values[i] = 4e-4 - 8e-4 * static_cast<double>(i) / 15;
     fluid.tensionSlopes = slopes;
-    const double area = 2 * 4e-3 * 16e-3;                                       // above and below
-    const double expected = 4e-4 * 3.0 / 8 * static_cast<double>(slope) * area; // 3 of 8 spacings off the middle
+    const double area = 2 * 4e-3 * 16e-3;                                       // upper and lower face
+    const double expected = 4e-4 * 3.0 / 8 * static_cast<double>(slope) * area; // 3 of 8 spacings from the middle
     CHECK(forceOf(fluid, seeds, space, {}, left).x - leftWithout.x == Approx(expected).epsilon(0.1));
     CHECK(forceOf(fluid, seeds, space, {}, right).x - rightWithout.x == Approx(-expected).epsilon(0.1));
 }

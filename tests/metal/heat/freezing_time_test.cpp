@@ -1,4 +1,4 @@
-// When metal froze: every particle keeps it, from melting to melting and through saved states.
+// Freezing times of particles: preserved from melting to melting and through saved states.
 #include "core/gl/state_archive.hpp"
 #include "core/validation/heat_bench.hpp"
 #include "tests/support/catch.hpp"

@@ -1,4 +1,4 @@
-// Heat in metal that has left the lattice: nothing is lost, and it conducts as the lattice does.
+// Heat in metal off the lattice: no energy is lost, and conduction equals that of the lattice.
 #include "core/validation/exact_solutions.hpp"
 #include "core/validation/heat_bench.hpp"
 #include "tests/support/catch.hpp"
@@ -77,7 +77,7 @@ TEST_CASE("No metal gets colder than the coldest or hotter than the hottest was"
     for (MetalSeed& seed : seeds)
         seed.temperature = hotDrops ? 293 : 2500;
     takeOffLattice(seeds, 0.007F, 0.4F);
-    // Drops buried in the metal, as a wire that burns in it would leave them.
+    // Drops buried in the metal, such as a burning wire leaves.
     std::mt19937 random(7);
     std::uniform_real_distribution<float> place(low.x, high.x);
     for (int i = 0; i < 40; ++i)
@@ -101,7 +101,7 @@ TEST_CASE("No metal gets colder than the coldest or hotter than the hottest was"
 
 TEST_CASE("Metal off the lattice conducts as metal on it does", "[heat][off-lattice]") {
     const Material m = simpleMetal();
-    // A long bar whose end is held hot; part or all of it is shaken off the lattice.
+    // A long bar has a hot end; part or all of it is shaken off the lattice.
     const float depth = 0.032F;
     const float side = 8 * kSpacing;
     const MetalLattice lattice = MetalLattice::covering({-kSpacing, 0, 0}, {depth, side, side}, kSpacing);
@@ -123,7 +123,7 @@ TEST_CASE("Metal off the lattice conducts as metal on it does", "[heat][off-latt
     size_t count = 0;
     for (const vec4& p : bench.state.position.read<vec4>(seeds.size())) {
         const auto x = static_cast<double>(p.x);
-        // Away from the side faces, where a shaken column is thinner than a full one.
+        // Side faces are excluded, where a shaken column is thinner than a full one.
         if (x < 0 || x > 0.015 || p.y < 2 * kSpacing || p.y > 6 * kSpacing || p.z < 2 * kSpacing || p.z > 6 * kSpacing)
             continue;
         const double error = static_cast<double>(p.w) - exact::conductionStep(293, 1500, 6e-6, x, 4);
@@ -143,7 +143,7 @@ TEST_CASE("Stirred liquid conducts less along the axes that its stirring does no
     m.solidus = m.liquidus = molten ? 400 : 3000;
     const glm::vec3 low(2 * kSpacing), size(0.016F, 0.016F, 0.016F);
     const MetalLattice lattice = MetalLattice::covering(glm::vec3(0), low + size + 2 * kSpacing, kSpacing);
-    // A half wave along one axis, which insulated ends keep: it falls as exp(-alpha (pi/L)² t).
+    // A half wave along one axis between insulated ends falls as exp(-alpha (pi/L)² t).
     const int axis = GENERATE(0, 1, 2);
     const auto wave = [&](vec3 place) {
         return std::cos(std::numbers::pi * double((place[axis] - low[axis]) / size[axis]));
@@ -222,7 +222,7 @@ TEST_CASE("Metal taken off the lattice by others is found, and its old cell is f
     settings.ledger = true;
     HeatBench bench(test::shaders(), lattice, m, seeds, settings);
     bench.solver.step(1e-3, {});
-    // The upper half is lifted by a tile, as a free fragment would be.
+    // The upper half is a tile higher, as a free fragment would be.
     auto positions = bench.state.position.read<vec4>(seeds.size());
     auto phases = bench.state.phase.read<uint>(seeds.size());
     auto cells = bench.state.latticeSlots.read<uint>(lattice.cellCount());
@@ -277,7 +277,7 @@ TEST_CASE("Other passes find every slot off the lattice in the solver's list", "
     const auto hot = HeatSource::sphere({0.002F, 0.002F, 0.002F}, 2 * kSpacing, 20000);
     for (int i = 0; i < 20; ++i)
         bench.solver.step(1e-3, std::vector{hot});
-    CHECK(listed().size() > before); // some melted
+    CHECK(listed().size() > before); // some have melted
     CHECK(listed() == offLattice());
 }
 
@@ -302,7 +302,7 @@ TEST_CASE("Metal off the lattice gives the same bits twice", "[heat][off-lattice
 TEST_CASE("Metal that lies on the welding table cools as one lump does, metal above it does not",
           "[heat][off-lattice]") {
     const Material m = simpleMetal();
-    const glm::vec3 low(2 * kSpacing), high(0.006F, 0.003F, 0.006F); // one layer
+    const glm::vec3 low(2 * kSpacing), high(0.006F, 0.003F, 0.006F); // a single layer
     const MetalLattice lattice = MetalLattice::covering(glm::vec3(0), high + 6 * kSpacing, kSpacing);
     auto seeds = latticeSeeds(lattice, low, high, 900);
     takeOffLattice(seeds, 0, 0);

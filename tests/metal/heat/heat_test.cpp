@@ -1,5 +1,4 @@
-// The heat passes against a twin on the CPU, and what must hold for every step: energy, determinism, memory of the
-// peak.
+// The heat passes against a twin on the CPU, and the laws of every step: energy, determinism, memory of the peak.
 #include "core/base/error.hpp"
 #include "core/metal/heat/heat.hpp"
 #include "core/validation/heat_bench.hpp"
@@ -40,8 +39,8 @@ std::vector<MetalSeed> unevenBlock(const MetalLattice& lattice, glm::vec3 low, g
     return seeds;
 }
 
-/// What a cell takes up from the squares of four cells that it belongs to, W: a sixth of each one's twist. `thetas` is
-/// -1 in empty cells.
+/// Returns the power that a cell takes up from the squares of its four neighbours, W: a sixth of each square's twist.
+/// `thetas` is -1 in empty cells.
 double squarePower(const MetalLattice& lattice, const std::vector<double>& thetas, glm::ivec3 cell) {
     const auto thetaAt = [&](glm::ivec3 at) { return lattice.contains(at) ? thetas[lattice.index(at)] : -1; };
     double twist = 0;
@@ -57,7 +56,7 @@ double squarePower(const MetalLattice& lattice, const std::vector<double>& theta
     return static_cast<double>(lattice.spacing) * twist / 6;
 }
 
-/// One explicit step in double, straight from the definition.
+/// Makes one explicit step in double precision, directly from the definition.
 std::vector<double> twinStep(const MetalLattice& lattice, const std::vector<MetalSeed>& seeds, const HeatTable& table,
                              const Material& m, double mass, const HeatSettings& settings, const HeatSource& source,
                              double dt) {
@@ -130,7 +129,7 @@ TEST_CASE("One step on the lattice equals its twin on the CPU", "[heat]") {
     settings.radiation = true;
     HeatBench bench(test::shaders(), lattice, m, seeds, settings);
     const glm::vec3 spot(0.5F * (low.x + high.x), high.y, 0.5F * (low.z + high.z));
-    // Tiles that a source reaches are mixed, the others plain.
+    // Tiles in reach of a source are mixed, the others plain.
     const float power = GENERATE(500.0F, 0.0F);
     const auto source = HeatSource::gaussian(spot, {0, -1, 0}, 2 * h, power);
     const double dt = 2e-3;
@@ -155,7 +154,7 @@ TEST_CASE("A source gives exactly its power, whatever metal is there", "[heat]")
     const auto seeds = latticeSeeds(lattice, glm::vec3(0), high, 300);
     HeatSettings settings;
     settings.ledger = true;
-    const glm::vec3 corner(0, high.y, 0); // half of every source hangs over the edge
+    const glm::vec3 corner(0, high.y, 0); // half of every source is beyond the edge
     const std::vector<HeatSource> sources{
         HeatSource::sphere(corner, 0.004F, 100), HeatSource::gaussian(corner, {0, -1, 0}, 2 * h, 200),
         HeatSource::ellipsoid(corner, {0, -1, 0}, {1, 0, 0}, 3 * h, 2 * h, 3 * h, 6 * h, 0.6F, 400)};
@@ -199,7 +198,7 @@ TEST_CASE("A hot tip gives what its contact lets through, and at most its power"
         bench.solver.step(1e-3, std::vector{tip});
         return bench.solver.readBalance().gained;
     };
-    // Four cells of 1 mm² lie within 1.2 mm of a corner between them.
+    // Four cells of 1 mm² are within 1.2 mm of their common corner.
     CHECK(gained(1000) == Approx(4e-6 * 2000 * 400 * 1e-3).epsilon(1e-4));
     CHECK(gained(1) == Approx(1e-3).epsilon(1e-5));
 }
@@ -263,14 +262,14 @@ TEST_CASE("A particle remembers its peak and how long it cooled from 800 to 500 
     settings.convection = 500;
     HeatBench bench(test::shaders(), lattice, m, seeds, settings);
     bench.run(0, 20, 2000, nothingBurns);
-    // One free cell: all six sides are open, which counts as the length of (2, 2, 2); it cools as exp(-t/tau).
+    // One free cell has six open sides, which counts as the length of (2, 2, 2); it cools as exp(-t/tau).
     const double tau = bench.state.particleMass() * 600 / (500 * std::sqrt(12.0) * 1e-6);
     const double expected = tau * std::log((1073.15 - 300) / (773.15 - 300));
     const vec4 heat = bench.state.heat.read<vec4>(1)[0];
     CHECK(heat.z == Approx(1300).margin(0.1));
     CHECK(heat.w == Approx(expected).epsilon(0.02));
     bench.run(0, 1, 2000, [&](double) { return std::vector{HeatSource::sphere(glm::vec3(0), 0.01F, 5)}; });
-    CHECK(bench.state.heat.read<vec4>(1)[0].w == 0); // hot again: the count starts again
+    CHECK(bench.state.heat.read<vec4>(1)[0].w == 0); // reheating restarts the count
 }
 
 TEST_CASE("Melting and freezing wait for their fractions", "[heat]") {
@@ -289,7 +288,7 @@ TEST_CASE("Melting and freezing wait for their fractions", "[heat]") {
         return bench.state.phase.read<uint>(1)[0];
     };
     const double whole = (table.liquidusEnthalpy() - table.solidusEnthalpy()) * bench.state.particleMass();
-    CHECK((heatBy(0.1 * whole) & PHASE_LIQUID) == 0); // at 0.55: still stands
+    CHECK((heatBy(0.1 * whole) & PHASE_LIQUID) == 0); // at 0.55: still immobile
     CHECK(bench.state.changes.read<uint>(1)[0] == 0);
     const uint melted = heatBy(0.1 * whole); // at 0.65: flows
     CHECK((melted & PHASE_LIQUID) != 0);
@@ -298,8 +297,8 @@ TEST_CASE("Melting and freezing wait for their fractions", "[heat]") {
     if (leaves) {
         CHECK(bench.state.latticeSlots.read<uint>(1)[0] == 0);
     } else {
-        CHECK((heatBy(-0.1 * whole) & PHASE_LIQUID) != 0); // back at 0.55: still flows
-        CHECK((heatBy(-0.3 * whole) & PHASE_LIQUID) == 0); // at 0.25: stands
+        CHECK((heatBy(-0.1 * whole) & PHASE_LIQUID) != 0); // at 0.55: still flowing
+        CHECK((heatBy(-0.3 * whole) & PHASE_LIQUID) == 0); // at 0.25: immobile
     }
 }
 
@@ -318,11 +317,11 @@ TEST_CASE("A torch's Gaussian heats what it faces in front of it and what catche
     const glm::vec3 down(0, -1, 0), top(0.01F, high.y, 0.01F), edge(0.02F, high.y, 0.01F);
     const auto at = [&](glm::vec3 place, glm::vec3 axis) { return HeatSource::gaussian(place, axis, 2 * h, 1000); };
     CHECK(joules(at(top, down).inFront(0.01F, 4 * h)) == Approx(1));
-    // The same place, seen from a torch that has passed it, and from one that is kept off by a nearer surface.
+    // The place as seen from a torch that has passed it, and from one that a nearer surface shields.
     CHECK(joules(at(top - glm::vec3(0, 0.012F, 0), down).inFront(0, 0.04F)) == 0);
     CHECK(joules(at(top + glm::vec3(0, 10 * h, 0), down).inFront(0.01F, 2 * h).catching(1)) < 0.2);
     CHECK(joules(at(top, -down).inFront(0, 4 * h)) == 0);
-    // Whole on the plate, half on its edge, nothing beside it.
+    // Full catch on the plate, half at its edge, none next to it.
     CHECK(joules(at(top, down).catching(1)) == Approx(1).epsilon(0.01));
     CHECK(joules(at(edge, down).catching(1)) == Approx(0.5).epsilon(0.03));
     CHECK(joules(at(edge, down).catching(0.25F)) == Approx(1));

@@ -1,4 +1,4 @@
-// Material files: every shipped one is whole, every fault is named with its line.
+// Material files: every shipped one is complete, and every fault is named with its line.
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "core/metal/material/heat_table.hpp"
@@ -22,7 +22,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     return text.replace(at, from.size(), to);
 }
 
-/// The message of reading S235 with one thing changed.
+/// Returns the message for S235 with one replaced text.
 std::string faultOf(const std::string& from, const std::string& to) {
     const auto file = test::scratchFolder("material") / "bad.toml";
     writeTextFileAtomically(file, replaced(readTextFile(sourceMaterial("s235")), from, to));
@@ -54,7 +54,7 @@ TEST_CASE("All shipped materials read and make sense", "[materials]") {
         INFO(m.key);
         CHECK_FALSE(m.solidDensity.source.empty());
         CHECK(m.liquidus >= m.solidus);
-        Material clean = m; // sulphur turns the slope of cold liquid
+        Material clean = m; // sulphur reverses the slope of cold liquid
         clean.sulphur = 0;
         CHECK(clean.tensionSlopeAt(m.liquidus) < 0);
         CHECK(m.tensionSlopeAt(m.liquidus + 300) <= 0);

@@ -1,4 +1,4 @@
-// What the state of the metal knows of itself without reading it back.
+// Facts that the metal's state knows without a readback.
 #include "core/metal/state/metal_state.hpp"
 
 #include "core/metal/material/materials.hpp"
@@ -18,7 +18,7 @@ TEST_CASE("boxes that share a face through the middles of cells share out the ce
     const LatticeBox box = latticeBox(lattice, {0, 1.5F, 0.2F}, high);
     CHECK(box.low == glm::vec3(0, 1, 0));
     CHECK(box.high == high);
-    const LatticeBox none = latticeBox(lattice, {0, 1.6F, 0}, {4, 2.4F, 4}); // between two middles
+    const LatticeBox none = latticeBox(lattice, {0, 1.6F, 0}, {4, 2.4F, 4}); // between two cell centres
     CHECK(none.low.y == none.high.y);
     CHECK(none.high.x == 4);
 }

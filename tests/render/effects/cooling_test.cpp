@@ -1,4 +1,4 @@
-// Spatter cools as the equation of its heat says.
+// Cooling of spatter according to its heat equation.
 #include "core/render/effects/cooling.hpp"
 #include "tests/support/catch.hpp"
 
@@ -8,7 +8,7 @@ namespace meltpool {
 
 namespace {
 
-/// s to cool from one temperature to another one, by many short explicit steps of the rate.
+/// Returns the time (s) to cool from one temperature to another, by many short explicit steps of the rate.
 double timeToCool(double diameter, double from, double to) {
     constexpr double kStep = 1e-5;
     double time = 0;

@@ -1,4 +1,4 @@
-// Sparks and smoke in pictures: their light as numbers, against the closed forms on the processor.
+// Sparks and smoke in pictures: their light in numbers against closed forms on the CPU.
 #include "core/render/camera.hpp"
 #include "core/render/effects/haze.hpp"
 #include "core/render/look/heat_colours.hpp"
@@ -22,7 +22,7 @@ LookParameters effectsOnly() {
     return look;
 }
 
-/// Light of all pixels of a picture of 64 x 64 of what an eye 0.2 before the origin sees.
+/// Returns the light of all pixels of a 64 x 64 picture from an eye 0.2 before the origin.
 double allLight(const SceneView& scene, const LookParameters& look) {
     constexpr int kSize = 64;
     const View view = FreeCamera({0, 0, 0.2f}, {0, 0, 0}).view({}, 1);
@@ -64,7 +64,7 @@ TEST_CASE("a picture's smoke is the closed form's, ends at the workpiece, and is
         const double without = double(test::lightOf(renderer, scene, look, eye, target).g);
         scene.effects.fume.scattering = float(kScattering);
         const double with = double(test::lightOf(renderer, scene, look, eye, target).g);
-        return (with - without) / (1 - without); // as it is blended, glare over it
+        return (with - without) / (1 - without); // inverts the blending, with glare on top
     };
     for (const double passing : {3e-3, 8e-3, 15e-3}) {
         INFO(passing << " m beside the arc");
@@ -73,7 +73,7 @@ TEST_CASE("a picture's smoke is the closed form's, ends at the workpiece, and is
         CHECK(veil(passing) ==
               Approx(hazeLight(intensity, kScattering, passing, nearest, nearest - half, nearest + half, kReach))
                   .epsilon(0.02));
-        // A plate 4 mm behind the arc.
+        // A plate is 4 mm behind the arc.
         const std::array<WorkpieceBlock, 1> plate{WorkpieceBlock{{-0.1f, -0.1f, -0.024f}, {0.1f, 0.1f, -0.004f}}};
         scene.blocks = plate;
         const double meets = (kFar + 5e-3) / (nearest / kFar); // a shadow's box begins a millimetre below the face
@@ -106,7 +106,7 @@ TEST_CASE("a spark has the light of its metal's temperature, and drawn out along
     look.spatter = false;
     CHECK(double(test::lightOf(renderer, scene, look, {0, 0, 0.2f}).g) < 0.3 * glow);
     look.spatter = true;
-    // Small, at rest, drawn out, and smaller than a pixel: all light is in the picture, however it is spread.
+    // Small, at rest, drawn out, or smaller than a pixel: the picture contains all of the light, however it spreads.
     sparks[0].radius = 6e-3f;
     const double empty = [&] {
         SceneView nothing = scene;

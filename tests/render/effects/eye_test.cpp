@@ -10,7 +10,8 @@ namespace meltpool {
 
 namespace {
 
-/// s until the exposure has gone 63 % of its way, in logarithms, after the scene has changed from `before` to `after`.
+/// Returns the seconds until the exposure has covered 63 % of its way, in logarithms, after the scene changes from
+/// `before` to `after`.
 double timeConstant(const EyeScene& before, const EyeScene& after) {
     Eye eye;
     eye.update(before, 1);
@@ -45,7 +46,7 @@ TEST_CASE("the eye is used to more light after 0.3 s and to less after 1 to 2 s"
     CHECK(Eye::aim(bright) == Approx(0.36));
     CHECK(timeConstant(dark, bright) == Approx(0.3).margin(0.02));
     CHECK(timeConstant(bright, dark) == Approx(1.5).margin(0.05));
-    // In one step or in many.
+    // One step and many steps give one result.
     Eye coarse, fine;
     for (Eye* eye : {&coarse, &fine})
         eye->update(dark, 1);
@@ -76,7 +77,7 @@ TEST_CASE("an auto-darkening filter darkens in its time, stays dark, and clears"
     VisorFilter quick;
     quick.update(true, 1e-4, {11, 4, 1e-4F});
     CHECK(quick.darkness() == 1);
-    // A filter without a light state is always dark, and no visor never.
+    // A filter without a light state is always dark; a missing visor never is.
     CHECK(VisorFilter().shade({11, 0, 1e-4F}) == 11);
     CHECK(VisorFilter().shade({0, 3, 1e-4F}) == 0);
 }
@@ -89,7 +90,7 @@ TEST_CASE("after the arc the picture is dark and brightens as the visor clears a
     const VisorSettings visor = visorOf(look);
     WornVisor worn;
     const SeenArc arc{10, 1.5e-3, true, {0, 0, -1}};
-    const auto light = [&] { // of paper in the workshop, as it is seen
+    const auto light = [&] { // displayed light of paper in the workshop
         LookParameters seen = look;
         worn.wear(visor, seen);
         return double(seen.exposure * filterShare(seen.visorShade));
@@ -110,7 +111,7 @@ TEST_CASE("after the arc the picture is dark and brightens as the visor clears a
     CHECK(cleared > 100 * dark);
     CHECK(adapted > 2 * cleared);
     CHECK(adapted > 0.3);
-    CHECK(worn.sentence().empty()); // it protected
+    CHECK(worn.sentence().empty()); // the visor protected the eye
 }
 
 TEST_CASE("looks into the arc are told with their length, whether without a visor or through one that was slow",
@@ -127,7 +128,7 @@ TEST_CASE("looks into the arc are told with their length, whether without a viso
     CHECK(bare.eye().afterImage().strength < 0.4F);
     bare.update({}, visorOf(look), look, 4);
     CHECK(bare.sentence().empty());
-    // Beside the gaze it does not count.
+    // An arc away from the gaze does not count.
     WornVisor aside;
     SeenArc beside = arc;
     beside.inSight = false;

@@ -1,4 +1,4 @@
-// The throw of a drop against small steps of the same motion, and what it lands on.
+// The throw of a drop against small steps of the motion, and the surface that it hits.
 #include "core/render/effects/flight.hpp"
 #include "tests/support/catch.hpp"
 
@@ -24,8 +24,8 @@ TEST_CASE("a drop flies as Newton's law says, whatever the direction of gravity"
 
 TEST_CASE("a drop lands on the plate, beside it on the table, and against a standing plate", "[effects]") {
     const std::array<WorkpieceBlock, 2> tee{
-        WorkpieceBlock{{-0.05F, -0.006F, -0.025F}, {0.05F, 0, 0.025F}}, // lies
-        WorkpieceBlock{{-0.05F, 0, -0.006F}, {0.05F, 0.025F, -1e-4F}}}; // stands behind
+        WorkpieceBlock{{-0.05F, -0.006F, -0.025F}, {0.05F, 0, 0.025F}}, // base plate
+        WorkpieceBlock{{-0.05F, 0, -0.006F}, {0.05F, 0.025F, -1e-4F}}}; // upright plate behind
     const SpatterGround ground{tee, {0, 1, 0}, -0.012F};
     const auto thrown = [&](glm::vec3 velocity) {
         return landingOf({{0, 0.002F, 0.003F}, velocity, {0, -9.81F, 0}}, ground);
@@ -44,7 +44,7 @@ TEST_CASE("a drop lands on the plate, beside it on the table, and against a stan
     REQUIRE(wall);
     CHECK(wall->normal == glm::vec3(0, 0, 1));
     CHECK(double(wall->age) == Approx(3.1e-3).epsilon(1e-3));
-    // Over the standing plate and beyond.
+    // The drop flies over the upright plate.
     const auto over = thrown({0, 3, -0.2F});
     REQUIRE(over);
     CHECK(over->onTable);

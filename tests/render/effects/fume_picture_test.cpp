@@ -1,5 +1,5 @@
-// Puffs of smoke in pictures: lit by the arc and by the room, beside the pool and never before it, one ball for both
-// eyes.
+// Puffs of smoke in pictures: lit by the arc and by the room, next to the pool and never in front of it, one ball for
+// both eyes.
 #include "core/render/camera.hpp"
 #include "core/render/look/measures.hpp"
 #include "tests/render/look/patch.hpp"
@@ -29,9 +29,10 @@ LookParameters smokeOnly() {
     return look;
 }
 
-/// Light of the pixels that an eye beside the middle sees in front of the arc at the origin, row after row from below.
+/// Returns the light of the pixels in front of the arc at the origin, row after row from below, from an eye `beside`
+/// the middle.
 std::vector<float> lightSeen(const SceneView& scene, const LookParameters& look, float beside = 0) {
-    const View view = FreeCamera({beside, 0, kFar}, {beside, 0, 0}).view({}, 1); // both look the same way
+    const View view = FreeCamera({beside, 0, kFar}, {beside, 0, 0}).view({}, 1); // both eyes look in one direction
     return test::lightOfPixels(test::patchRenderer(), scene, look, view, kSize);
 }
 
@@ -49,7 +50,7 @@ double sum(const std::vector<float>& light) {
     return all;
 }
 
-/// Column and row of the light's middle.
+/// Returns the column and row of the light's middle.
 glm::dvec2 middleOf(const std::vector<float>& light) {
     glm::dvec2 at(0);
     for (size_t i = 0; i < light.size(); ++i)
@@ -57,7 +58,7 @@ glm::dvec2 middleOf(const std::vector<float>& light) {
     return at / sum(light);
 }
 
-/// Pixels that a metre at the arc's distance spans.
+/// Returns the number of pixels that a metre at the arc's distance spans.
 double pixelsAMetre() {
     const View view = FreeCamera({0, 0, kFar}, {0, 0, 0}).view({}, 1);
     return 0.5 * kSize * double(view.eyeToClip[1][1]) / double(kFar);
@@ -77,7 +78,7 @@ TEST_CASE("a puff above the arc is lit by it and by the room, and is switched of
     const auto arcLit = gained(lightSeen(scene, look), none);
     CHECK(sum(arcLit) > 2 * sum(roomLit));
     CHECK(middleOf(arcLit).y > 0.5 * kSize + 0.04 * pixelsAMetre());
-    // The nearer the arc, the brighter.
+    // A nearer arc gives a brighter puff.
     const std::array<FumePuff, 1> farther{puffAt({0, 0.1f, 0}, 0.02f, 0.2f)};
     scene.effects.fume.puffs = farther;
     CHECK(sum(gained(lightSeen(scene, look), none)) < 0.7 * sum(arcLit));
@@ -137,7 +138,7 @@ TEST_CASE("both eyes see a puff where it is", "[effects]") {
     constexpr float kApart = 0.03f;
     const auto left = gained(lightSeen(scene, look, -0.5f * kApart), none),
                right = gained(lightSeen(scene, look, 0.5f * kApart), none);
-    // A point before the arc's plane is farther apart in both pictures than one in it.
+    // A point before the arc's plane has a larger offset between both pictures than one in the plane.
     const double apart = middleOf(left).x - middleOf(right).x;
     CHECK(apart == Approx(double(kApart) * pixelsAMetre() * double(kFar) / (double(kFar) - 0.05)).margin(0.35));
     CHECK(middleOf(left).y == Approx(middleOf(right).y).margin(0.2));
@@ -151,7 +152,8 @@ TEST_CASE("smoke ends softly at workpiece and table", "[effects]") {
     const std::array<FumePuff, 1> puffs{puffAt({0, 0.05f, 0}, 0.02f, 0.3f)};
     scene.effects.fume.puffs = puffs;
     const double whole = sum(gained(lightSeen(scene, look), none));
-    // A plate whose face comes nearer from behind: the less smoke is before it, and the last of it goes gently.
+    // As a plate's face approaches from behind, less smoke remains in front of it, and the last part vanishes
+    // gradually.
     double before = whole;
     for (const float behind : {-0.025f, -0.015f, -0.01f, -0.005f, -0.001f, 0.001f}) {
         const std::array<WorkpieceBlock, 1> plate{WorkpieceBlock{{-0.1f, -0.1f, behind - 0.02f}, {0.1f, 0.1f, behind}}};

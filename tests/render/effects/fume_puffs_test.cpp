@@ -1,4 +1,4 @@
-// Puffs of smoke from the arc's steps: they rise by the law of a plume, keep their smoke, and are always the same.
+// Puffs of smoke from the arc's steps: they rise by the law of a plume, conserve their smoke, and are reproducible.
 #include "core/render/effects/arc_effects.hpp"
 #include "tests/support/catch.hpp"
 
@@ -21,7 +21,7 @@ ProcessSettings smaw() {
     return settings;
 }
 
-/// Burns at the origin as long as it is told to.
+/// An arc at the origin that burns on demand.
 class Burning {
   public:
     explicit Burning(ProcessSettings process) : process_(process) {}
@@ -66,8 +66,8 @@ TEST_CASE("air over a source of heat rises as its speed says, and faster by the 
         height += speed / std::cbrt(height) * 0.5 / kParts;
     CHECK(FumePlume::height(0.02, speed, 0.5) == Approx(height).epsilon(1e-3));
     CHECK(FumePlume::speedAtMetre(640) == Approx(2 * speed));
-    // The flux of buoyancy that all heights share: half width squared times speed times lightness, which falls as
-    // z^(-5/3); and the lightness is what quickens the flow of momentum: d(b² w²)/dz = b² g'.
+    // The flux of buoyancy is equal at all heights: half width squared times speed times lightness, which falls as
+    // z^(-5/3); lightness drives the momentum flux: d(b² w²)/dz = b² g'.
     const double buoyancy = 9.81 * 80 / (3.14159265358979 * 1.2 * 1005 * 293);
     const auto momentum = [&](double z) { return std::pow(FumePlume::kWidens * z * speed / std::cbrt(z), 2); };
     const double z = 0.1, flow = std::pow(FumePlume::kWidens * z, 2) * speed / std::cbrt(z);
@@ -78,7 +78,7 @@ TEST_CASE("air over a source of heat rises as its speed says, and faster by the 
 TEST_CASE("puffs rise and grow, and keep their smoke until they thin out", "[effects]") {
     Burning weld(smaw());
     weld.run(4);
-    REQUIRE(weld.puffs().size() == 1); // the first, followed from here on
+    REQUIRE(weld.puffs().size() == 1); // the first puff, followed from here on
     weld.run(2, false);
     FumePuff before = weld.puffs().front();
     const double smoke = areaOfSmoke(before);
@@ -93,7 +93,7 @@ TEST_CASE("puffs rise and grow, and keep their smoke until they thin out", "[eff
         CHECK(puff.place.y > before.place.y);
         CHECK(puff.radius > before.radius);
         CHECK(puff.depth < before.depth);
-        // As wide as a plume is that high; it begins where that is the arc's own width.
+        // A puff has a plume's width at its height; the plume begins where that equals the arc's own width.
         CHECK(double(puff.radius - before.radius) ==
               Approx(FumePuffs::kSpreads * FumePlume::kWidens * double(puff.place.y - before.place.y)).epsilon(1e-3));
         CHECK(glm::length(puff.way) >= puff.radius);
@@ -163,7 +163,7 @@ TEST_CASE("two runs have the same puffs to the last bit, whatever was looked at,
         REQUIRE(a.size() == b.size());
         CHECK(std::memcmp(a.data(), b.data(), a.size() * sizeof(FumePuff)) == 0);
     }
-    for (size_t i = 1; i < a.size(); ++i) // no two alike
+    for (size_t i = 1; i < a.size(); ++i) // all puffs differ
         CHECK(a[i].grain != a[i - 1].grain);
 }
 

@@ -1,4 +1,4 @@
-// Spatter's births from the arc's steps: as many bursts as the arc ignites again, none of tungsten, always the same.
+// Spatter's births from the arc's steps: as many bursts as re-ignitions, none with tungsten, and reproducible.
 #include "core/render/effects/arc_effects.hpp"
 #include "core/render/effects/counted_chance.hpp"
 #include "tests/support/catch.hpp"
@@ -33,7 +33,7 @@ ArcState arcOf(ArcAction action, float stretch = 0) {
 
 const std::array<WorkpieceBlock, 1> kPlate{WorkpieceBlock{{-0.05F, -0.006F, -0.025F}, {0.05F, 0, 0.025F}}};
 
-/// Welds with this arc; each third step has a short circuit, and each ninth one more.
+/// Welds with this arc; each third step has a short circuit, and each ninth step has one more.
 class Weld {
   public:
     Weld(ProcessSettings process, ArcState arc) : process_(process), arc_(arc) {
@@ -87,7 +87,7 @@ TEST_CASE("each short circuit that ends throws one burst, and the strike one mor
     const auto born = weld.effects.spatter().born();
     weld.goOut();
     weld.run(60);
-    CHECK(weld.effects.spatter().born() == born); // nothing without an arc
+    CHECK(weld.effects.spatter().born() == born); // none without an arc
     CHECK(weld.effects.spatter().bursts() == 41);
 }
 
@@ -101,13 +101,13 @@ TEST_CASE("a long arc spatters more than a short one, a covered electrode more t
     const auto normal = bornOf(gmaw(), arcOf(ArcAction::burning)),
                stretched = bornOf(gmaw(), arcOf(ArcAction::breaking, 0.8F));
     CHECK(stretched > 5 * normal);
-    CHECK(normal > 60); // ten seconds
+    CHECK(normal > 60); // sum over ten seconds
     ProcessSettings smaw, gtaw;
     smaw.choose<Smaw>();
     gtaw.choose<Gtaw>();
     const auto rutile = bornOf(smaw, arcOf(ArcAction::burning));
     CHECK(rutile > normal);
-    smaw.of<Smaw>().electrode = 2; // cellulosic
+    smaw.of<Smaw>().electrode = 2; // cellulosic electrode
     CHECK(double(bornOf(smaw, arcOf(ArcAction::burning))) == Approx(2 * double(rutile)).epsilon(0.1));
     CHECK(bornOf(gtaw, arcOf(ArcAction::breaking, 0.9F)) == 0);
 }
@@ -117,7 +117,7 @@ TEST_CASE("two runs of the same steps show the same spatter, to the last bit", "
     one.run(200);
     for (int i = 0; i < 200; ++i) {
         other.run(1);
-        (void)other.effects.view(); // frames in between change nothing
+        (void)other.effects.view(); // intermediate frames have no effect
     }
     const ArcEffectsView a = one.effects.view(), b = other.effects.view();
     REQUIRE(a.sparks.size() == b.sparks.size());
@@ -145,7 +145,7 @@ TEST_CASE("what flies is born at the arc, and what has landed lies on the plate 
         CHECK(bead.kelvin < 900);
         if (i >= onPlate) CHECK(bead.place.y == Approx(-0.012).margin(1e-3));
         if (i < onPlate) CHECK((bead.place.y < 1e-3F && bead.place.y > -0.0065F));
-        CHECK(glm::distance(bead.place, {0, 0.001F, 0}) > 4e-3F); // none in the pool
+        CHECK(glm::distance(bead.place, {0, 0.001F, 0}) > 4e-3F); // none inside the pool
     }
     const std::vector<Spark> before(view.sparks.begin(), view.sparks.end());
     weld.run(90);
@@ -170,7 +170,7 @@ TEST_CASE("chance is even, and its counters give unrelated numbers", "[effects]"
 TEST_CASE("a wire's drops have its volume, and fall from its end into the pool", "[effects]") {
     const double d = WireDrops::dropDiameter(1.2e-3, 0.075, 60);
     CHECK(60 * d * d * d / 6 == Approx(0.075 * 1.2e-3 * 1.2e-3 / 4).epsilon(1e-9));
-    CHECK(WireDrops::dropDiameter(1.2e-3, 0.075, 1) == Approx(1.6 * 1.2e-3)); // no thicker ones hang
+    CHECK(WireDrops::dropDiameter(1.2e-3, 0.075, 1) == Approx(1.6 * 1.2e-3)); // no thicker drops hang
     Weld weld(gmaw(), arcOf(ArcAction::burning));
     size_t most = 0;
     for (int i = 0; i < 90; ++i) {

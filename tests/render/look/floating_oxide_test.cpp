@@ -1,5 +1,5 @@
-// Islands of oxide on a pool: they go with the particles that carry them, and are where those are liquid and near the
-// surface.
+// Islands of oxide on a pool: they move with the particles that carry them, and exist where those are liquid and near
+// the surface.
 #include "shaders/shared/render.h"
 #include "tests/render/look/patch.hpp"
 #include "tests/support/catch.hpp"
@@ -18,8 +18,8 @@ using glm::vec4;
 
 constexpr float kRadius = 0.0011f, kHot = 1900, kCold = 1500;
 
-/// Particles of which one of each OXIDE_STRIDE carries an island. Which is not known here: all of such a block lie in
-/// the same place.
+/// Particles of which one in each OXIDE_STRIDE carries an island. The carrier is unknown here, so all particles of a
+/// block are at one place.
 class Particles {
   public:
     explicit Particles(const std::vector<vec4>& blocks) : count_(blocks.size() * OXIDE_STRIDE) {
@@ -48,7 +48,7 @@ MaterialLooks steel() {
     return looks;
 }
 
-/// Light of a pool in the plane z = 0 at `x` (m), seen from straight above: its glow alone.
+/// Returns the glow of a pool in the plane z = 0 at `x` (m), seen from straight above.
 float glowAt(const std::vector<vec4>& blocks, float x, PictureDetail detail = kHighDetail, float radius = kRadius) {
     static const MaterialLooks looks = steel();
     test::context();
@@ -71,7 +71,7 @@ TEST_CASE("an island glows as scale does amid the mirror of the pool, and moves 
     for (const float x : {-0.008f, 0.0f, 0.005f}) {
         const std::vector<vec4> carrier{{x, 0, -0.0003f, kHot}};
         INFO("carrier at " << x << " m");
-        CHECK(glowAt(carrier, x) / pool == Approx((1 - 0.15f * 1.5f) / 0.35f).epsilon(0.03)); // scale that melted
+        CHECK(glowAt(carrier, x) / pool == Approx((1 - 0.15f * 1.5f) / 0.35f).epsilon(0.03)); // molten scale
         for (const float away : {-0.004f, 0.002f, 0.004f})
             CHECK(glowAt(carrier, x + away) == Approx(pool).epsilon(0.001));
     }
@@ -98,7 +98,7 @@ TEST_CASE("no island is carried by solid metal, without oxide in the weld, and b
     const std::vector<vec4> carrier{{0, 0, -0.0003f, kHot}};
     CHECK(glowAt(carrier, 0) > 1.5f * pool);
     CHECK(glowAt({{0, 0, -0.0003f, kCold}}, 0) == pool);
-    CHECK(glowAt({{0, 0, -0.0003f, 2350}}, 0) == Approx(pool).epsilon(0.001)); // under the arc
+    CHECK(glowAt({{0, 0, -0.0003f, 2350}}, 0) == Approx(pool).epsilon(0.001)); // directly under the arc
     CHECK(glowAt(carrier, 0, kHighDetail, 0) == pool);
     for (const PictureDetail detail : {kLowDetail, kMediumDetail})
         CHECK(glowAt(carrier, 0, detail) == glowAt(carrier, 0, detail, 0));
@@ -113,7 +113,7 @@ TEST_CASE("of more carriers than the list holds the first count, every time") {
         CHECK(glowAt(blocks, -0.005f) > 1.5f * pool);
         CHECK(glowAt(blocks, 0.005f) == Approx(pool).epsilon(0.001));
     }
-    // Solid ones take no place.
+    // Solid particles use no capacity.
     for (size_t i = 0; i < OXIDE_MOST / 2; ++i)
         blocks[i].w = kCold;
     CHECK(glowAt(blocks, 0.005f) > 1.5f * pool);

@@ -1,5 +1,5 @@
-// A picture is the same to the last bit whatever the renderer drew before it, at every level of detail: no state of a
-// draw stays behind, neither in the renderer nor in the OpenGL context that all of them share.
+// Independence of pictures from former draws, to the last bit and at every level of detail: neither the renderer nor
+// the shared OpenGL context retains a draw's state.
 #include "core/render/camera.hpp"
 #include "core/render/look/measures.hpp"
 #include "core/render/picture_target.hpp"
@@ -36,7 +36,7 @@ Image pictureOf(Renderer& renderer, const Shot& shot) {
     return target.read();
 }
 
-/// What the shots show besides metal.
+/// The objects of the shots apart from metal.
 struct Things {
     Things();
     std::array<Solid, 2> torch;
@@ -58,7 +58,7 @@ Things::Things() {
     strokes[0] = {{-0.003f, 0}, {0.003f, 0.001f}, {1, 1, 0, 1}, 0.0005f, 0, {}};
 }
 
-/// Of every kind that leaves state behind, if any does.
+/// Returns shots of every kind that could leave state behind.
 std::vector<Shot> shots(const test::SyntheticWeld& weld, const test::SyntheticScene& cube, const Things& things) {
     const auto from = [](vec3 eye, vec3 to) {
         return FreeCamera(eye, to).view({.nearest = 0.002f}, float(kWidth) / kHeight);
@@ -114,7 +114,7 @@ TEST_CASE("a picture is the same whatever was drawn before it, at every level of
     const std::vector<Shot> all = shots(weld, cube, things);
     Renderer renderer(test::shaders());
     for (const PictureDetail level : {kLowDetail, kMediumDetail, kHighDetail}) {
-        std::vector<Image> first; // each after the one before it
+        std::vector<Image> first; // each after the previous one
         for (Shot shot : all) {
             shot.look.detail = level;
             first.push_back(pictureOf(renderer, shot));

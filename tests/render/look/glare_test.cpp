@@ -1,5 +1,5 @@
-// The veil that an arc throws in the eye: the CIE law at several angles, with a filter, in every scale, and none where
-// the torch hides the arc.
+// The veil of an arc in the eye: the CIE law at several angles, with a filter, in every scale, and no veil where the
+// torch hides the arc.
 #include "core/render/look/heat_colours.hpp"
 #include "tests/render/look/patch.hpp"
 #include "tests/support/catch.hpp"
@@ -13,9 +13,9 @@ namespace meltpool {
 
 namespace {
 
-constexpr double kFar = 0.4; ///< from the eye to the arc, model units
+constexpr double kFar = 0.4; ///< distance from the eye to the arc, model units
 
-/// Light that the eye has so many degrees beside an arc of this intensity in front of nothing.
+/// Returns the light that the eye receives at this angle (degrees) from an arc of this intensity in front of nothing.
 double lightBeside(Renderer& renderer, double angle, double intensity, LookParameters look, float scale = 1,
                    std::span<const Solid> solids = {}, double far = kFar) {
     SceneView scene;
@@ -28,7 +28,7 @@ double lightBeside(Renderer& renderer, double angle, double intensity, LookParam
     return double(test::lightOf(renderer, scene, look, eye, target).g);
 }
 
-/// The same without what the picture is cleared with.
+/// Returns that light less the picture's clear colour.
 double veilBeside(Renderer& renderer, double angle, double intensity, const LookParameters& look, float scale = 1,
                   std::span<const Solid> solids = {}, double far = kFar) {
     const double empty = lightBeside(renderer, angle, 0, look, scale, solids, far);
@@ -48,14 +48,14 @@ TEST_CASE("an arc's glare follows the CIE law of veiling luminance") {
         CHECK(veilBeside(renderer, degrees, illuminance * kFar * kFar, look) == Approx(law).epsilon(0.05));
         CHECK(veilBeside(renderer, degrees, illuminance * kFar * kFar, look, 25) == Approx(law).epsilon(0.05));
     }
-    // A camera nearer than a welder's eye sees no stronger veil than that has.
+    // A camera closer than a welder's eye sees the veil of that eye's distance.
     CHECK(veilBeside(renderer, 2, illuminance * kFar * kFar, look, 1, {}, 0.1) ==
           Approx(illuminance * kFar * kFar / (0.35 * 0.35) * 10.163 / 4).epsilon(0.05));
-    CHECK(veilBeside(renderer, 20, illuminance / 20 * kFar * kFar, look) == 0); // too faint to be seen
+    CHECK(veilBeside(renderer, 20, illuminance / 20 * kFar * kFar, look) == 0); // too faint to see
     LookParameters filtered = look;
     filtered.visorShade = 9;
     const double through = veilBeside(renderer, 2, illuminance * kFar * kFar / double(filterShare(9)), filtered);
-    CHECK(through == Approx(1.1 * illuminance * 10.163 / 4).epsilon(0.05)); // the filter is green
+    CHECK(through == Approx(1.1 * illuminance * 10.163 / 4).epsilon(0.05)); // the filter's green
 }
 
 TEST_CASE("an arc that the torch hides does not glare") {

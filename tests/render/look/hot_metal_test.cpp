@@ -1,4 +1,4 @@
-// Hot metal: what it gives out on both sides of its melting point, what it mirrors of an even room and of an arc.
+// Hot metal: its emission on both sides of its melting point, and its reflection of an even room and of an arc.
 #include "core/render/look/heat_colours.hpp"
 #include "core/render/look/mirror_shares.hpp"
 #include "tests/render/look/patch.hpp"
@@ -28,7 +28,7 @@ MaterialLooks steel() {
     return looks;
 }
 
-/// Green light of the patch itself: the same picture without the patch shows the veil that the arc throws over it.
+/// Returns the green light of the patch alone; a picture without the patch gives the arc's veil over it.
 double lightWithoutGlare(Renderer& renderer, const SceneView& scene, const LookParameters& look) {
     SceneView nothing = scene;
     nothing.mesh = {};
@@ -50,7 +50,7 @@ TEST_CASE("through a visor metal gives out its emissivity's share of a black bod
         INFO(temperature << " K, emissivity " << emissivity);
         const vec3 seen = lightOf(renderer, Patch(temperature, temperature).scene(looks), look);
         const vec3 expected = emissivity * blackBodyLight(double(temperature)) * filterShare(look.visorShade) *
-                              look.exposure * vec3(0.75f, 1.1f, 0.5f); // the filter is green
+                              look.exposure * vec3(0.75f, 1.1f, 0.5f); // the filter's green
         for (int i = 0; i < 3; ++i)
             CHECK(double(seen[i]) == Approx(double(expected[i])).epsilon(0.01));
     };
@@ -59,7 +59,7 @@ TEST_CASE("through a visor metal gives out its emissivity's share of a black bod
     check(1813, 0.35f);
     check(2100, 0.35f);
     check(1790.5f,
-          (1 - 0.15f * 1.25f + 0.35f) / 2); // half molten: scale that has half begun to be that of frozen metal
+          (1 - 0.15f * 1.25f + 0.35f) / 2); // half molten: half of the scale is that of frozen metal
     looks.heatTint = 0;                     // no scale
     check(1767, 0.45f);
     check(1813, 0.35f);
@@ -74,7 +74,8 @@ TEST_CASE("metal that has frozen is brighter than its pool, through a visor and 
         const vec3 frozen = lightOf(renderer, Patch(1767, 2000).scene(looks), look),
                    pool = lightOf(renderer, Patch(1814, 2000).scene(looks), look);
         INFO("shade " << shade << ": frozen " << frozen.g << ", pool " << pool.g);
-        // Colder and yet brighter: twice the emissivity against seven tenths of a black body's light.
+        // The frozen metal is colder and yet brighter: twice the emissivity against seven tenths of a black body's
+        // light.
         CHECK(frozen.g > (shade > 0 ? 1.4f : 1.01f) * pool.g);
     }
 }
@@ -105,7 +106,7 @@ TEST_CASE("a perfect mirror in an even room cannot be seen, however rough it is"
     Renderer& renderer = test::evenlyLit(1);
     LookParameters look = roomOnly(1);
     look.dullness = 1;
-    look.exposure = 0.5f; // the tone curve leaves that as it is
+    look.exposure = 0.5f; // unchanged by the tone curve
     MaterialLooks looks;
     looks.solidColour = looks.liquidColour = vec3(1);
     looks.liquidEmissivity = looks.cleanEmissivity = looks.scaledEmissivity = 0;
@@ -124,7 +125,7 @@ TEST_CASE("the light of an arc that rough metal reflects towards the eye adds up
     Renderer& renderer = test::evenlyLit(0);
     LookParameters look = roomOnly(0);
     look.dullness = 1;
-    look.exposure = 2e-4f; // a mirror's highlight stays below the knee of the tone curve
+    look.exposure = 2e-4f; // a reflection below the knee of the tone curve
     MaterialLooks looks;
     looks.solidColour = vec3(1);
     looks.liquidRoughness = 0;
@@ -136,7 +137,7 @@ TEST_CASE("the light of an arc that rough metal reflects towards the eye adds up
         looks.solidRoughness = roughness;
         SceneView scene = patch.scene(looks);
         double sum = 0;
-        for (int i = 0; i < kSteps; ++i) { // looking straight at it, only the angle from the normal counts
+        for (int i = 0; i < kSteps; ++i) { // with a direct view, only the angle from the normal counts
             const double part = (i + 0.5) / kSteps, angle = std::numbers::pi / 2 * part * part;
             const double width = std::numbers::pi * part / kSteps;
             const vec3 away(std::sin(angle), 0, std::cos(angle));
@@ -159,7 +160,7 @@ TEST_CASE("a pool mirrors torch and workpiece in the light of the arc, solid met
     looks.liquidRoughness = 0;
     looks.liquidEmissivity = 0;
     const Patch pool(2000, 2000), solid(300, 300);
-    const vec3 eye(0.5f, 0, 0.5f); // looks at the pool at 45 degrees and sees what stands on the other side
+    const vec3 eye(0.5f, 0, 0.5f); // views the pool at 45 degrees and sees the reflection of the other side
     SceneView scene = pool.scene(looks);
     CHECK(double(lightOf(renderer, scene, look, eye).g) == Approx(0.5 * 0.1).epsilon(0.02));
 
@@ -170,9 +171,9 @@ TEST_CASE("a pool mirrors torch and workpiece in the light of the arc, solid met
         nozzle.toWorld = alongLine({-0.4f, -0.2f, 0.4f}, {-0.4f, 0.2f, 0.4f}, 0.1f);
         scene.solids = {&nozzle, 1};
         const vec3 dark = lightOf(renderer, scene, look, eye);
-        for (int i = 0; i < 3; ++i) // the lamp's light alone
+        for (int i = 0; i < 3; ++i) // light of the lamp alone
             CHECK(double(dark[i]) == Approx(0.5 * double(nozzle.colour[i])).epsilon(0.01));
-        // The arc stands 0.15 before the place that is mirrored, 60 degrees beside its normal.
+        // The arc is 0.15 from the reflecting place, 60 degrees from its normal.
         const vec3 normal = glm::normalize(vec3(1, 0, -1)), place = vec3(-0.4f, 0, 0.4f) + 0.05f * normal;
         scene.arc = {place + 0.15f * (0.5f * normal + std::sqrt(0.75f) * vec3(0, 1, 0)),
                      vec3(0.15f * 0.15f * float(std::numbers::pi) * 0.8f), 1e-6f};
@@ -181,7 +182,7 @@ TEST_CASE("a pool mirrors torch and workpiece in the light of the arc, solid met
             CHECK(double(image[i]) == Approx(0.5 * 1.4 * double(nozzle.colour[i])).epsilon(0.02));
         scene.solids = {&nozzle, 1};
         scene.arc = {};
-        nozzle.toWorld = alongLine({-0.4f, -0.2f, 0.4f}, {-0.4f, -0.1f, 0.4f}, 0.1f); // ends before the ray
+        nozzle.toWorld = alongLine({-0.4f, -0.2f, 0.4f}, {-0.4f, -0.1f, 0.4f}, 0.1f); // ends before it meets the ray
         CHECK(double(lightOf(renderer, scene, look, eye).g) == Approx(0.5 * 0.1).epsilon(0.02));
     }
     SECTION("another plate, which stands on this one") {
@@ -189,7 +190,7 @@ TEST_CASE("a pool mirrors torch and workpiece in the light of the arc, solid met
             {{{-1, -1, -0.1f}, {1, 1, 0.001f}}, {{-0.4f, -1, 0}, {-0.3f, 1, 1}}}};
         scene.blocks = blocks;
         CHECK(double(lightOf(renderer, scene, look, eye).g) == Approx(0.5 * 0.25).epsilon(0.02));
-        look.diffuse = 1; // the lamp shines on the side that the pool sees
+        look.diffuse = 1; // the lamp lights the side that faces the pool
         look.lightPosition = {2, 0, 1};
         const double lamp = 2 / std::sqrt(5.0);
         CHECK(double(lightOf(renderer, scene, look, eye).g) == Approx(0.5 * 0.25 * (1 + lamp)).epsilon(0.02));
@@ -212,7 +213,7 @@ TEST_CASE("shares of an even room: a smooth mirror's by Schlick's law, a rough o
         CHECK(double(smooth.x) == Approx(1 - grazing).margin(0.005));
         CHECK(double(smooth.y) == Approx(grazing).margin(0.005));
     }
-    // By quadrature of the lobe over the hemisphere, looking along the normal.
+    // The reference is a quadrature of the lobe over the hemisphere along the normal.
     CHECK(double(mirrorShares(0.44f, 1).x + mirrorShares(0.44f, 1).y) == Approx(0.9367).margin(0.005));
     CHECK(double(mirrorShares(0.8f, 1).x + mirrorShares(0.8f, 1).y) == Approx(0.5366).margin(0.01));
 }

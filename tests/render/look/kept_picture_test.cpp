@@ -1,4 +1,4 @@
-// Pictures that are kept for the next start: found again bit by bit, never under another key, never when damaged.
+// Pictures stored for the next start: found again bit by bit, never under another key, never when damaged.
 #include "core/render/look/environment.hpp"
 #include "core/render/look/kept_picture.hpp"
 #include "shaders/shared/render.h"
@@ -29,7 +29,7 @@ void changeByte(const fs::path& file, std::streamoff at) {
     bytes.put(static_cast<char>(old ^ 1));
 }
 
-/// All levels of an environment as the driver gives them back.
+/// Returns all levels of an environment as the driver reads them back.
 std::vector<GLuint> texelsOf(const Environment& environment) {
     const gl::Texture& room = environment.texture();
     std::vector<GLuint> all;
@@ -86,7 +86,7 @@ TEST_CASE("a workshop that was kept has the bits of the painted one, and one of 
     fs::copy(test::shaders().root(), shaders, fs::copy_options::recursive);
     const auto written = fs::last_write_time(folder / "workshop.bin");
     {
-        // The same texts in another folder: found, and not written again.
+        // Equal texts in another folder are found and not written again.
         gl::ShaderLibrary same(shaders);
         CHECK(texelsOf(Environment(same, folder, 64)) == painted);
         CHECK(fs::last_write_time(folder / "workshop.bin") == written);

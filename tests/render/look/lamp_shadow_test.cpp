@@ -1,5 +1,5 @@
-// The torch's shadow in the lamp's light: against the exact share of a disc, the width of the penumbra, and no shadow
-// where there is no torch.
+// The torch's shadow in the lamp's light: the exact share of a disc, the width of the penumbra, and no shadow without a
+// torch.
 #include "tests/render/look/patch.hpp"
 #include "tests/support/catch.hpp"
 
@@ -15,9 +15,9 @@ namespace meltpool {
 namespace {
 
 constexpr double kLampFar = 2, kLampRadius = 0.2; // model units
-constexpr double kHigh = 0.3, kRadius = 0.05;     // of the bar over the plate
+constexpr double kHigh = 0.3, kRadius = 0.05;     // height of the bar over the plate, and its radius
 
-/// Light of a plate at x = `place` under a lamp right above the origin and a bar along y over it.
+/// Returns the light of a plate at x = `place` under a lamp above the origin, with or without a bar along y over it.
 double lightUnderBar(Renderer& renderer, double place, bool withBar, float radius = float(kRadius)) {
     std::array<Solid, 2> solids;
     solids[0].toWorld = glm::scale(glm::mat4(1), glm::vec3(2, 2, 1e-3f));
@@ -34,7 +34,7 @@ double lightUnderBar(Renderer& renderer, double place, bool withBar, float radiu
     return double(test::lightOf(renderer, scene, look, {x + 0.5f, 0, 0.5f}, {x, 0, 0}).g);
 }
 
-/// Share of a disc on one side of a straight line, whose signed distance from the centre is `x` radii.
+/// Returns the share of a disc on one side of a straight line, whose signed distance from the centre is `x` radii.
 double discShare(double x) {
     x = std::clamp(x, -1.0, 1.0);
     return 0.5 + (x * std::sqrt(1 - x * x) + std::asin(x)) / std::numbers::pi;
@@ -49,7 +49,7 @@ TEST_CASE(
     for (int mm = 0; mm <= 200; mm += 2) {
         const double place = mm * 1e-3;
         const double share = lightUnderBar(renderer, place, true) / lightUnderBar(renderer, place, false);
-        // The bar as it is seen from the plate against the lamp's disc.
+        // The bar covers a part of the lamp's disc as seen from the plate.
         const double gap = place * (kLampFar - kHigh) / std::hypot(place, kLampFar),
                      lamp = kLampRadius * kHigh / kLampFar;
         INFO(mm << " thousandths from under the bar");
@@ -58,7 +58,7 @@ TEST_CASE(
         if (lit < 0 && share > 0.998) lit = place;
     }
     CHECK(dark > 0.015);
-    // Light source's diameter times (bar to plate) over (lamp to bar).
+    // The penumbra is the light source's diameter times (bar to plate) over (lamp to bar).
     CHECK(lit - dark == Approx(2 * kLampRadius * kHigh / (kLampFar - kHigh)).epsilon(0.1));
 }
 

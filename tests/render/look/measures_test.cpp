@@ -1,4 +1,4 @@
-// The levels of detail: which measures each has, what the lowest leaves out, and what it keeps.
+// The levels of detail: the measures of each, the omissions of the lowest, and its remaining parts.
 #include "core/render/camera.hpp"
 #include "core/render/look/heat_colours.hpp"
 #include "core/render/look/measures.hpp"
@@ -29,7 +29,7 @@ LookParameters atLevel(LookParameters look, PictureDetail detail) {
     return look;
 }
 
-/// Of the pool.
+/// Returns a view of the pool.
 View viewFrom(vec3 eye) {
     return FreeCamera(eye, {0.013f, 0, 0}).view({.nearest = 0.002f}, 160.0f / 120);
 }
@@ -76,7 +76,7 @@ TEST_CASE("at every level the pool's edge can be seen: emissivity jumps, and wha
         CHECK(double(frozen) ==
               Approx(0.85 * double(blackBodyLight(1767).g) * double(filterShare(10)) * 1.1).epsilon(0.2));
         CHECK(frozen > 1.4f * pool);
-        // Towards the arc's image liquid metal is bright in a small place, solid metal a little in a wide one.
+        // Towards the arc's reflection liquid metal is bright in a small area, solid metal faintly in a wide one.
         const Patch liquid(1900, 1900), solid(300, 300);
         SceneView arcOver = liquid.scene(looks);
         arcOver.arc = {{0.004f, 0, 0.2f}, vec3(1e-3f), 1e-4f};
@@ -149,7 +149,7 @@ TEST_CASE("a weld's picture differs by the level, and by each measure that is le
     const Spark spark{{0.020f, 0.003f, 0.002f}, 0.0004f, {0.0002f, 0.001f, 0}, 2000};
     scene.effects = {{&spark, 1}, 0, {20}};
     scene.arc = {{0.015f, 0.003f, 0}, vec3(0.3f), 1e-3f};
-    const View ahead = viewFrom({0.036f, 0.010f, 0.007f}); // of the pool
+    const View ahead = viewFrom({0.036f, 0.010f, 0.007f}); // a view of the pool
     const View behind =
         FreeCamera({0.003f, 0.009f, 0.007f}, {-0.01f, 0.0015f, 0}).view({.nearest = 0.002f}, 160.0f / 120);
     LookParameters look;

@@ -1,4 +1,4 @@
-// Mill scale on rolled faces: how dark, where the band along the seam was ground, and where there is none.
+// Mill scale on rolled faces: its darkness, the ground band along the seam, and faces without scale.
 #include "shaders/shared/surface.h"
 #include "tests/render/look/patch.hpp"
 #include "tests/support/catch.hpp"
@@ -40,7 +40,7 @@ class Sheet {
         peaks_ = gl::Buffer("sheet peaks", std::span<const float>(peaks));
     }
 
-    /// A plate 10 mm thick whose upper face this is; its seam runs along x.
+    /// Returns a scene with a plate 10 mm thick whose upper face is this sheet; its seam runs along x.
     SceneView scene(const MaterialLooks& looks) const {
         SceneView scene;
         scene.mesh = {&vertices_, &indices_, &command_, &peaks_};
@@ -63,7 +63,7 @@ MaterialLooks rolledSteel() {
     return looks;
 }
 
-/// Light of the sheet `y` m from its seam in an even room, seen from straight above.
+/// Returns the light of the sheet `y` m from its seam in an even room, seen from straight above.
 vec3 lightAt(const SceneView& scene, float y, PictureDetail detail = kHighDetail, float x = 0.003f) {
     LookParameters look = test::roomOnly(0.8f);
     look.detail = detail;
@@ -84,7 +84,7 @@ TEST_CASE("a rolled face is dark and a little blue, with a bright band of 20 mm 
         CHECK(rolled.b > 1.1f * rolled.r);
         for (const float side : {-1.0f, 1.0f})
             for (const float x : {-0.02f, -0.007f, 0.0f, 0.011f, 0.024f}) {
-                float y = 0; // where the band ends
+                float y = 0; // border of the band
                 while (y < 0.02f && lightAt(scene, side * y, detail, x).g > 0.5f * (ground.g + rolled.g))
                     y += 0.00025f;
                 INFO("at x " << x << " the band ends at " << side * y);
@@ -99,7 +99,7 @@ TEST_CASE("the band stays with the workpiece when it is turned") {
     SceneView scene = sheet.scene(looks);
     const vec3 ground = lightAt(scene, 0), rolled = lightAt(scene, 0.018f);
     scene.modelToWorld = glm::rotate(glm::mat4(1), glm::radians(90.0f), vec3(0, 0, 1));
-    CHECK(lightAt(scene, 0.018f, kHighDetail, 0).g == Approx(ground.g).epsilon(0.05)); // along the seam now
+    CHECK(lightAt(scene, 0.018f, kHighDetail, 0).g == Approx(ground.g).epsilon(0.05)); // now along the seam
     CHECK(lightAt(scene, 0, kHighDetail, 0.018f).g == Approx(rolled.g).epsilon(0.05));
 }
 
@@ -114,7 +114,7 @@ TEST_CASE("there is no mill scale on machined edges, other metals, metal that me
     const float bare = lightAt(sheet.scene(pickled), kAway).g;
     SceneView edge = sheet.scene(looks), other = sheet.scene(looks);
     edge.rolled.parts[0].faces = {1, 0, 0};
-    other.rolled.parts[0].low.y = other.rolled.parts[0].high.y = -0.03f; // its plate lies elsewhere
+    other.rolled.parts[0].low.y = other.rolled.parts[0].high.y = -0.03f; // its plate is elsewhere
     CHECK(lightAt(edge, kAway).g == Approx(bare).epsilon(1e-4));
     CHECK(lightAt(other, kAway).g == Approx(bare).epsilon(1e-4));
     CHECK(lightAt(sheet.scene(looks), kAway).g < 0.4f * bare);

@@ -15,7 +15,7 @@ namespace meltpool::test {
 using glm::vec3;
 
 Patch::Patch(float temperature, float peak) {
-    constexpr float kHalf = 0.02f; // small: what is computed for its vertices holds for its middle
+    constexpr float kHalf = 0.02f; // small, so that its vertices' values hold for its middle
     std::array<SurfaceVertex, 4> corners{};
     for (size_t i = 0; i < 4; ++i)
         corners[i] = {{i == 1 || i == 2 ? kHalf : -kHalf, i > 1 ? kHalf : -kHalf, 0}, temperature, {0, 0, 1}, 0};
@@ -51,14 +51,14 @@ LookParameters roomOnly(float ambient) {
 }
 
 vec3 lightOf(Renderer& renderer, const SceneView& scene, const LookParameters& look, vec3 eye, vec3 target) {
-    constexpr int kSize = 9; // odd: the middle pixel's centre is the picture's
+    constexpr int kSize = 9; // odd, so that the middle pixel's centre is the picture's
     const gl::Texture colour("light", {.format = GL_RGBA32F, .width = kSize, .height = kSize});
     const gl::Texture depth("depth", {.format = GL_DEPTH_COMPONENT24, .width = kSize, .height = kSize});
     const gl::Framebuffer picture("light");
     picture.attach(GL_COLOR_ATTACHMENT0, colour);
     picture.attach(GL_DEPTH_ATTACHMENT, depth);
     const View view = FreeCamera(eye, target).view({}, 1);
-    // A target that encodes what is written gets light; this one keeps it as numbers.
+    // A target with encoding expects light; this one stores it as numbers.
     const RenderTarget where{.framebuffer = picture.name(), .viewport = {0, 0, kSize, kSize}, .encodesSrgb = true};
     renderer.draw(scene, look, {&view, 1}, where, nullptr);
     glm::vec4 pixel(0);
@@ -75,7 +75,7 @@ std::vector<float> lightOfPixels(Renderer& renderer, const SceneView& scene, con
     const gl::Framebuffer picture("light");
     picture.attach(GL_COLOR_ATTACHMENT0, colour);
     picture.attach(GL_DEPTH_ATTACHMENT, depth);
-    // A target that encodes what is written gets light; this one keeps it as numbers.
+    // A target with encoding expects light; this one stores it as numbers.
     const RenderTarget where{.framebuffer = picture.name(), .viewport = {0, 0, size, size}, .encodesSrgb = true};
     renderer.draw(scene, look, {&view, 1}, where, nullptr);
     std::vector<glm::vec4> pixels(static_cast<size_t>(size) * static_cast<size_t>(size));

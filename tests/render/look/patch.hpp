@@ -1,4 +1,4 @@
-// A square of metal of one temperature, and the light that a picture has in its middle as numbers.
+// A square of metal of one temperature, with the light in the middle of its picture as numbers.
 #pragma once
 
 #include "core/render/renderer.hpp"
@@ -22,22 +22,21 @@ class Patch {
     gl::Buffer vertices_, indices_, command_, peaks_;
 };
 
-/// One renderer for all who use this, in its workshop: painting its room takes longer than a test.
+/// Returns one shared renderer in its workshop: painting its room takes longer than a test.
 Renderer& patchRenderer();
 
-/// Another for all who use this, with the same light everywhere around. It is the same one with the last light asked
-/// for.
+/// Returns another shared renderer, with equal light from all directions. Its light is that of the last call.
 Renderer& evenlyLit(float light);
 
-/// No box, sky and source, and no light but `ambient` of the room.
+/// Returns parameters without box, sky and source, whose only light is the room's `ambient`.
 LookParameters roomOnly(float ambient);
 
-/// Light (green) of each pixel of a square picture of `size` pixels a side, row after row from below, after exposure
-/// and tone curve.
+/// Returns the green light of each pixel of a square picture of `size` pixels a side, row after row from below, after
+/// exposure and tone curve.
 std::vector<float> lightOfPixels(Renderer& renderer, const SceneView& scene, const LookParameters& look,
                                  const View& view, int size);
 
-/// Light in the middle of the picture that an eye at `eye` has which looks at `target`, after exposure and tone curve.
+/// Returns the light in the middle of a picture from `eye` towards `target`, after exposure and tone curve.
 glm::vec3 lightOf(Renderer& renderer, const SceneView& scene, const LookParameters& look, glm::vec3 eye = {0, 0, 1},
                   glm::vec3 target = {0, 0, 0});
 

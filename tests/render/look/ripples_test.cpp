@@ -1,5 +1,5 @@
-// Ripples of frozen metal: their pitch is travel speed over frequency, found by a Fourier transform along the bead;
-// where there are none.
+// Ripples of frozen metal: their pitch is travel speed over frequency, found by a Fourier transform along the bead; and
+// places without ripples.
 #include "core/render/camera.hpp"
 #include "shaders/shared/surface.h"
 #include "tests/render/look/patch.hpp"
@@ -25,7 +25,7 @@ using glm::vec3;
 constexpr int kPixels = 512;
 constexpr float kHalf = 0.02f; ///< m, half the bead's length
 
-/// When a bead froze (s) at `x` (m), and the slope of that.
+/// Time (s) at which a bead froze at `x` (m), and its slope.
 using FreezingLaw = std::function<glm::vec2(float x)>;
 
 /// A flat bead along x that froze from -x to +x at `speed` (m/s).
@@ -60,7 +60,7 @@ class Bead {
     SceneView scene(const MaterialLooks& looks) const {
         SceneView scene;
         scene.mesh = {&vertices_, &indices_, &command_, &peaks_, &freezing_};
-        scene.modelToWorld = glm::scale(glm::mat4(1), vec3(25)); // as welds are shown
+        scene.modelToWorld = glm::scale(glm::mat4(1), vec3(25)); // scale of displayed welds
         scene.temperature = {293.15f, 2500, true, test::kPatchSolidus, test::kPatchLiquidus};
         scene.looks = &looks;
         return scene;
@@ -70,7 +70,7 @@ class Bead {
     gl::Buffer vertices_, indices_, command_, peaks_, freezing_;
 };
 
-/// Light along the middle row of a picture that sees `length` (m) of the bead from above.
+/// Returns the light along the middle row of a picture that sees `length` (m) of the bead from above.
 std::vector<double> lightAlong(const SceneView& scene, const LookParameters& look, float length) {
     const gl::Texture colour("light", {.format = GL_RGBA32F, .width = kPixels, .height = 1});
     const gl::Texture depth("depth", {.format = GL_DEPTH_COMPONENT24, .width = kPixels, .height = 1});
@@ -92,7 +92,7 @@ std::vector<double> lightAlong(const SceneView& scene, const LookParameters& loo
     return light;
 }
 
-/// Whole waves along the row that are strongest.
+/// Returns the number of whole waves along the row with the largest amplitude.
 int strongestWave(const std::vector<double>& row) {
     const double mean = std::accumulate(row.begin(), row.end(), 0.0) / double(row.size());
     int strongest = 0;
@@ -101,7 +101,7 @@ int strongestWave(const std::vector<double>& row) {
         std::complex<double> sum = 0;
         for (int i = 0; i < kPixels; ++i) {
             const double turn = 2 * std::numbers::pi * double(i) / kPixels;
-            const double window = 0.5 - 0.5 * std::cos(turn); // Hann: the row's ends are no step
+            const double window = 0.5 - 0.5 * std::cos(turn); // Hann window: the row's ends make no step
             sum += (row[size_t(i)] - mean) * window * std::polar(1.0, -turn * k);
         }
         if (std::abs(sum) <= most) continue;
@@ -111,7 +111,7 @@ int strongestWave(const std::vector<double>& row) {
     return strongest;
 }
 
-/// Largest less smallest light, over the mean.
+/// Returns the difference of largest and smallest light, over the mean.
 double contrast(const std::vector<double>& row) {
     const auto [least, most] = std::minmax_element(row.begin(), row.end());
     return (*most - *least) * double(row.size()) / std::accumulate(row.begin(), row.end(), 0.0);
@@ -158,12 +158,12 @@ TEST_CASE(
         CHECK(std::abs(strongestWave(row({frequency, 1})) - waves) <= 1);
     }
     CHECK(contrast(row({6, 0.3f})) < 0.6 * contrast(row({6, 1})));
-    looks.rippleFrequency = 9; // the metal's own
+    looks.rippleFrequency = 9; // the metal's own frequency
     CHECK(std::abs(strongestWave(row({16, 1})) - double(kSeen * 9 / kSpeed)) <= 1);
 }
 
 TEST_CASE("where the torch stopped the ripples crowd and run back to the middle of the crater") {
-    // The crater of 4 mm closes from both its ends in a second; then the bead goes on.
+    // The crater of 4 mm closes from both ends in a second; then the bead continues.
     constexpr float kSpeed = 0.005f, kCloses = 1, kCrater = 0.002f, kSeen = 0.01f, kPause = 3;
     MaterialLooks looks;
     looks.heatTint = 1;
@@ -176,7 +176,7 @@ TEST_CASE("where the torch stopped the ripples crowd and run back to the middle 
     });
     const auto row = lightAlong(stopped.scene(looks), lampFromBehind(), kSeen);
     const auto steady = lightAlong(Bead(kSpeed).scene(looks), lampFromBehind(), kSeen);
-    const auto waves = [&](const std::vector<double>& light, float from, float to) { // crossings of the mean, upwards
+    const auto waves = [&](const std::vector<double>& light, float from, float to) { // upward crossings of the mean
         const auto at = [&](float x) { return size_t(std::lround((x / kSeen + 0.5f) * kPixels)); };
         const auto part = std::span(light).subspan(at(from), at(to) - at(from));
         const double mean = std::accumulate(part.begin(), part.end(), 0.0) / double(part.size());
@@ -192,14 +192,14 @@ TEST_CASE("where the torch stopped the ripples crowd and run back to the middle 
         CHECK(std::abs(waves(row, from, to) - 9.3 * double(kCloses)) <= 1);
         CHECK(std::abs(waves(steady, from, to) - 9.3 * double(kCrater / kSpeed)) <= 1);
     }
-    // Behind it the bead is as it was before the torch stopped.
+    // The bead behind the crater equals that before the torch's stop.
     for (size_t i = 0; i < size_t(0.25 * kPixels); ++i)
         CHECK(row[i] == Approx(steady[i]).epsilon(0.01));
 }
 
 TEST_CASE("slower travel gives finer ripples, which are no steeper than metal bears") {
     MaterialLooks looks;
-    looks.rippleHeight = 1; // however high
+    looks.rippleHeight = 1; // full height
     const double fast = contrast(lightAlong(Bead(0.008f).scene(looks), lampFromBehind(), 0.005f)),
                  slow = contrast(lightAlong(Bead(0.004f).scene(looks), lampFromBehind(), 0.005f));
     CHECK(slow == Approx(fast).epsilon(0.03));
@@ -217,7 +217,7 @@ TEST_CASE(
     CHECK(there > 0.15);
     CHECK(seen(Bead(0.005f, 2000), 0.02f) < 0.02);
     CHECK(seen(Bead(0.005f, 900, 0), 0.02f) < 0.02);
-    // 0.5 mm: 80 waves on 512 pixels have 6.4 pixels each, 12 a waves of 3 mm/s have not 3 of them.
+    // 0.5 mm: 80 waves on 512 pixels have 6.4 pixels each; the waves at 3 mm/s have fewer than 3.
     CHECK(seen(Bead(0.005f), 0.04f) > 0.7 * there);
     CHECK(seen(Bead(0.0022f), 0.04f) < 0.02);
     MaterialLooks smooth;

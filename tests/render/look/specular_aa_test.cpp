@@ -1,5 +1,5 @@
-// Highlights on metal whose normals vary within a pixel: calmer with antialiasing, and nearer to what many samples
-// show.
+// Highlights on metal whose normals vary within a pixel: calmer with antialiasing, and closer to a picture of many
+// samples.
 #include "core/render/camera.hpp"
 #include "core/render/look/measures.hpp"
 #include "shaders/shared/surface.h"
@@ -17,9 +17,9 @@ namespace meltpool {
 
 namespace {
 
-constexpr int kSize = 48; ///< pixels of an edge of the picture
+constexpr int kSize = 48; ///< pixels per edge of the picture
 
-/// A flat sheet whose normals wave, a wave in some three pixels, as ripples on a bead seen from afar.
+/// A flat sheet with waving normals, a wave in about three pixels, as ripples on a bead in the distance.
 class RippledSheet {
   public:
     RippledSheet() {
@@ -56,7 +56,7 @@ class RippledSheet {
     gl::Buffer vertices_, indices_, command_;
 };
 
-/// Light of the pixels, sampled once each at this place in them, -0.5..0.5 of a pixel from their middles.
+/// Returns the light of the pixels, sampled once each at this offset, -0.5..0.5 of a pixel from their middles.
 std::vector<float> sampled(const SceneView& scene, const LookParameters& look, glm::vec2 shift) {
     View view = FreeCamera({0, -0.05f, 0.22f}, {0, 0, 0}).view({}, 1);
     view.eyeToClip[2][0] += 2 * shift.x / kSize;
@@ -64,7 +64,7 @@ std::vector<float> sampled(const SceneView& scene, const LookParameters& look, g
     return test::lightOfPixels(test::evenlyLit(0.3f), scene, look, view, kSize);
 }
 
-/// The same at `side` x `side` places spread over the pixel.
+/// Returns the samples at `side` x `side` offsets over the pixel.
 std::vector<std::vector<float>> sampledEverywhere(const SceneView& scene, const LookParameters& look, int side) {
     std::vector<std::vector<float>> all;
     for (int i = 0; i < side; ++i)
@@ -82,7 +82,7 @@ std::vector<double> meanOf(const std::vector<std::vector<float>>& samples) {
     return mean;
 }
 
-/// Root of the mean square of what samples differ from this.
+/// Returns the root mean square difference of the samples from the reference.
 double spread(const std::vector<std::vector<float>>& samples, const std::vector<double>& from) {
     double sum = 0;
     for (const std::vector<float>& each : samples)
@@ -106,7 +106,7 @@ TEST_CASE("antialiased highlights vary less over a pixel, and differ less from t
     const MaterialLooks looks;
     LookParameters look = test::roomOnly(0.2f);
     look.dullness = 0;
-    look.exposure = 0.02f; // below the tone curve's knee: what is compared is light
+    look.exposure = 0.02f; // below the tone curve's knee, so that light is compared
     look.detail = kHighDetail;
     const SceneView scene = sheet.scene(looks);
     look.leftOut = bitOf(Measure::calmHighlights);
@@ -117,10 +117,10 @@ TEST_CASE("antialiased highlights vary less over a pixel, and differ less from t
     const double plainSpread = spread(plain, meanOf(plain)), calmSpread = spread(calm, meanOf(calm));
     const double plainFar = meanDifference(plain, reference), calmFar = meanDifference(calm, reference);
     INFO("spread " << plainSpread << " -> " << calmSpread << ", mean difference " << plainFar << " -> " << calmFar);
-    CHECK(plainSpread > 0.1 * reference.front()); // there is something to calm
+    CHECK(plainSpread > 0.1 * reference.front()); // the plain picture has a difference to reduce
     CHECK(calmSpread < 0.8 * plainSpread);
     CHECK(calmFar < 0.95 * plainFar);
-    look.detail = kLowDetail; // has none of it
+    look.detail = kLowDetail; // low detail has no antialiasing
     const auto low = sampled(scene, look, {0, 0});
     look.leftOut = bitOf(Measure::calmHighlights);
     CHECK(low == sampled(scene, look, {0, 0}));
