@@ -305,8 +305,7 @@ TEST_CASE("files that the handbook shows are read", "[app][handbook]") {
 TEST_CASE("poses that the handbook shows hold the torch as they say", "[app][handbook]") {
     const auto tables = tablesOf("pose of a torch");
     REQUIRE(tables.size() == 1);
-    const std::array<std::pair<double, double>, 4> kAngles{
-        {{90, 0}, {90, 10}, {90, -10}, {45, 0}}}; // work angle, travel angle
+    const std::array<std::pair<double, double>, 4> kAngles{{{90, 0}, {90, 10}, {90, -10}, {45, 0}}}; // work, travel
     REQUIRE(tables[0].rows.size() == kAngles.size());
     for (size_t row = 0; row < kAngles.size(); ++row) {
         const std::string cells = tables[0].code(row, 1).at(0);

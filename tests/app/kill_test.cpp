@@ -201,8 +201,7 @@ int endOfAsked(int signal, bool again) {
     child.signal(signal);
     REQUIRE(child.hear()); // the stop was requested
     if (again) {
-        std::this_thread::sleep_for(
-            Milliseconds(500)); // within this time a second signal counts as a copy of the first
+        std::this_thread::sleep_for(Milliseconds(500)); // an earlier signal is a copy of the first
         child.signal(signal);
     }
     if (!again || signal != SIGINT) child.say(); // a pending signal comes before the child can read this

@@ -1,4 +1,5 @@
-// The 256 cases of a cell and the 16 of a face: closed towards every neighbour, turned outward, nothing left over.
+// The 256 cases of a cell and the 16 of a face: closed towards every neighbour, turned outward, without loose
+// triangles.
 #include "core/surface/cell_cases.hpp"
 #include "tests/support/catch.hpp"
 
@@ -24,7 +25,7 @@ unsigned highCorner(CellEdge edge) {
     return lowCorner(edge) | 1U << (edge >> 3);
 }
 
-/// Every directed side of the case's triangles, with how often it occurs.
+/// Returns every directed side of the case's triangles, with its count.
 std::map<Segment, int> sidesOf(unsigned inside) {
     std::map<Segment, int> sides;
     for (const CellTriangle& t : cellTriangles(inside))
@@ -33,7 +34,7 @@ std::map<Segment, int> sidesOf(unsigned inside) {
     return sides;
 }
 
-/// The sides that no other triangle of the cell has in the other direction.
+/// Returns the sides that no other triangle of the cell has in the other direction.
 std::set<Segment> openSides(unsigned inside) {
     const std::map<Segment, int> sides = sidesOf(inside);
     std::set<Segment> open;
@@ -49,7 +50,7 @@ bool liesInFace(const Segment& side, unsigned axis, bool far) {
     return true;
 }
 
-/// The open sides in a face, as they would be named from the near side of it.
+/// Returns the open sides in a face, named as from the near side of it.
 std::set<Segment> sidesInFace(unsigned inside, unsigned axis, bool far) {
     std::set<Segment> found;
     const unsigned shift = far ? 1U << axis : 0U;
@@ -58,7 +59,7 @@ std::set<Segment> sidesInFace(unsigned inside, unsigned axis, bool far) {
     return found;
 }
 
-/// The pattern of the face's corners, as bits of the near face's corners.
+/// Returns the pattern of the face's corners, as bits of the near face's corners.
 unsigned faceOf(unsigned inside, unsigned axis, bool far) {
     unsigned face = 0;
     for (unsigned corner = 0; corner < 8; ++corner)
@@ -118,7 +119,8 @@ TEST_CASE("no inner side lies in a face, where the neighbour could have the same
 
 TEST_CASE("two cells agree on the segments in their common face, in opposite directions") {
     for (unsigned axis = 0; axis < 3; ++axis) {
-        std::map<unsigned, std::set<Segment>> seen; // by the face's pattern, as the cell before the face sees it
+        std::map<unsigned, std::set<Segment>>
+            seen; // sides by the face's pattern, as the cell before the face sees them
         for (unsigned inside = 0; inside < 256; ++inside) {
             const auto [known, isNew] = seen.try_emplace(faceOf(inside, axis, true), sidesInFace(inside, axis, true));
             REQUIRE(known->second == sidesInFace(inside, axis, true));
@@ -145,7 +147,8 @@ TEST_CASE("the surface around a single inside corner turns away from it") {
 }
 
 TEST_CASE("a cell without thickness covers the inside part of its face: the 16 cases of a cap") {
-    // Area by the number of inside corners with edges crossed in the middle; two opposite corners make two triangles.
+    // The area depends on the number of inside corners with edges crossed in the middle; two opposite corners make two
+    // triangles.
     const auto expectedArea = [](unsigned face) {
         const bool opposite = face == 0b0110 || face == 0b1001;
         const std::array<float, 5> areas{0.0f, 0.125f, opposite ? 0.25f : 0.5f, 0.875f, 1.0f};
@@ -169,7 +172,7 @@ TEST_CASE("a cell without thickness covers the inside part of its face: the 16 c
                     sum += areaVector(p[0], p[1], p[2]);
                     area += glm::length(areaVector(p[0], p[1], p[2]));
                 }
-                glm::vec3 outward(0.0f); // the empty layer lies on the other side of the cell
+                glm::vec3 outward(0.0f); // the empty layer is on the other side of the cell
                 outward[static_cast<int>(axis)] = far ? -1.0f : 1.0f;
                 REQUIRE(area == Approx(expectedArea(face)));
                 REQUIRE(glm::dot(sum, outward) == Approx(expectedArea(face)));

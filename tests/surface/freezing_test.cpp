@@ -1,4 +1,4 @@
-// When metal froze: the volume against its twin, the mesh's times and gradients against closed forms.
+// Freezing times at the surface: the volume against its twin, the mesh's times and gradients against closed forms.
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 #include "tests/surface/surface_twin.hpp"
@@ -20,9 +20,9 @@ namespace {
 
 constexpr vec3 kLow{-1.0f, -0.25f, -0.5f}, kHigh{1.0f, 0.25f, 0.5f};
 constexpr float kSpacing = 0.05f;
-constexpr float kTop = 0.0f; ///< of the plate
+constexpr float kTop = 0.0f; ///< height of the plate's top
 
-/// A plate whose metal froze at the times that a law gives, or did not (0).
+/// A plate whose freezing times follow a law; 0 means that metal never melted.
 struct FrozenPlate {
     explicit FrozenPlate(const std::function<float(vec3)>& law, float shake = 0) {
         std::mt19937 random(3);
@@ -47,7 +47,7 @@ struct FrozenPlate {
     std::vector<float> times;
 };
 
-/// A vertex of the plate's upper face, away from its edges.
+/// A vertex of the plate's upper face, far from its edges.
 struct FaceVertex {
     vec3 place;
     float share;
@@ -73,7 +73,7 @@ SurfaceParameters plateSurface(int influence = 3) {
 
 using Row = std::array<float, 8>;
 
-/// Place, share, time and slope of all vertices of triangles, in an order that does not depend on the mesh.
+/// Returns place, share, time and slope of all vertices of triangles, in an order independent of the mesh.
 std::vector<Row> sortedFreezing(const Surface& surface) {
     const test::Mesh mesh = test::readMesh(surface);
     const auto freezing = surface.mesh().freezing->read<SurfaceFreezing>(mesh.vertices.size());
@@ -105,7 +105,7 @@ TEST_CASE("the freezing volume is its twin's, and incremental updates give what 
                 REQUIRE(updated.freezingVolume()->read<glm::uvec2>(twin.size()) == twin);
                 REQUIRE(sortedFreezing(updated) == sortedFreezing(fresh));
                 if (step > 0) CHECK(updated.statistics().particles < plate.places.size() / 8);
-                // The torch goes on: metal freezes where it lies, and some melts again.
+                // As the torch travels, metal behind it freezes and other metal melts again.
                 const float front = -0.5f + 0.1f * float(step);
                 for (size_t i = 0; i < plate.places.size(); ++i) {
                     const float x = plate.places[i].x;
@@ -117,7 +117,7 @@ TEST_CASE("the freezing volume is its twin's, and incremental updates give what 
 }
 
 TEST_CASE("time and gradient at the surface are those of the law by which the metal froze") {
-    // Along the seam at 0.1 a second, later towards the middle, as behind a pool.
+    // Freezing travels along the seam at 0.1 a second, later towards the middle, as behind a pool.
     const auto time = [](vec3 p) { return 20 + 10 * p.x - 8 * p.z * p.z; };
     const auto slope = [](vec3 p) { return vec3(10, 0, -16 * p.z); };
     for (const float shake : {0.0f, 0.3f}) {
@@ -128,7 +128,7 @@ TEST_CASE("time and gradient at the surface are those of the law by which the me
         REQUIRE(face.size() > 300);
         for (const FaceVertex& v : face) {
             vec3 off = v.freezing.slope - slope(v.place);
-            off.y = 0; // across the surface the picture does not use it
+            off.y = 0; // the picture ignores the component across the surface
             square += double(glm::dot(off, off));
             farthest = std::max(farthest, double(glm::length(off)));
             latest = std::max(latest, double(std::abs(v.freezing.time - time(v.place))));
@@ -136,9 +136,9 @@ TEST_CASE("time and gradient at the surface are those of the law by which the me
         }
         INFO("shaken by " << shake << " spacings: slope off by " << std::sqrt(square / double(face.size()))
                           << " on the mean, " << farthest << " at most; time by " << latest);
-        CHECK(std::sqrt(square / double(face.size())) < (shake > 0 ? 0.4 : 0.1)); // of 10
+        CHECK(std::sqrt(square / double(face.size())) < (shake > 0 ? 0.4 : 0.1)); // the slope is 10
         CHECK(farthest < (shake > 0 ? 1.2 : 0.3));
-        CHECK(latest < (shake > 0 ? 0.12 : 0.06)); // 0.5 is a spacing
+        CHECK(latest < (shake > 0 ? 0.12 : 0.06)); // 0.5 is one spacing
     }
 }
 
@@ -158,7 +158,7 @@ TEST_CASE("metal that never froze takes nothing from the time of its neighbours"
             border += v.share < 0.9f;
             CHECK(double(std::abs(v.freezing.time - time(v.place))) < 0.3);
             CHECK(double(v.freezing.slope.x) == Approx(10).margin(1));
-            CHECK(double(std::abs(v.freezing.slope.z)) < 0.5); // 50 s lie between frozen metal and none
+            CHECK(double(std::abs(v.freezing.slope.z)) < 0.5); // frozen metal and metal without a time differ by 50 s
         }
         if (beyond < -0.12f) CHECK(v.share > 0.95f);
     }

@@ -1,4 +1,4 @@
-// Incremental updates: the same bits as a new surface makes of the same particles.
+// Incremental updates of the surface: equal bits as from a new surface of these particles.
 #include "shaders/shared/metal.h"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
@@ -33,7 +33,7 @@ class Plate {
         phases.assign(places.size(), PHASE_ALIVE);
     }
 
-    /// Stirs a spot of the plate.
+    /// Moves and warms the particles around a spot of the plate.
     void stir(vec3 spot, float radius) {
         for (size_t i = 0; i < places.size(); ++i) {
             if (glm::distance(vec3(places[i]), spot) > radius) continue;
@@ -47,7 +47,7 @@ class Plate {
         phases.push_back(PHASE_ALIVE);
     }
 
-    /// `numbers`: of the particles, where their order changes.
+    /// Updates the surface; `numbers` are those of the particles if their order changes.
     void update(Surface& surface, const std::vector<unsigned>& numbers = {}) const {
         const gl::Buffer positions("plate", std::span<const vec4>(places));
         const gl::Buffer phaseBits("plate phases", std::span<const unsigned>(phases));
@@ -73,7 +73,7 @@ class Plate {
     std::mt19937 random_{11};
 };
 
-/// Every triangle with position, temperature and normal of its corners, in an order that does not depend on the mesh.
+/// Returns every triangle with position, temperature and normal of its corners, in an order independent of the mesh.
 std::vector<std::array<float, 21>> sortedTriangles(const test::Mesh& mesh) {
     std::vector<std::array<float, 21>> rows;
     for (size_t i = 0; i < mesh.indices.size(); i += 3) {
@@ -171,7 +171,7 @@ TEST_CASE("a particle that leaps or only warms is taken from where it was, from 
             std::vector<vec4> there = plate.alive();
             if (std::isnan(place.x)) there.erase(there.begin() + 7);
             const test::Volumes twin = test::twinVolumes(surface.grid(), parameters, 0, 1, there);
-            // In brackets: the volumes are too long to be printed.
+            // Brackets prevent a print of the volumes, which are too long.
             CHECK((surface.densityVolume().read<std::uint32_t>(twin.density.size()) == twin.density));
             CHECK((surface.temperatureVolume().read<std::uint32_t>(twin.density.size()) == twin.temperature));
         }
@@ -231,7 +231,7 @@ TEST_CASE("the mesh has the highest temperature that the metal had") {
     for (const auto& [x, y, z, peak] : rows) {
         if (y < -0.05f) continue;
         if (std::abs(x + 0.4f) < 0.02f && std::abs(z) < 0.02f) {
-            CHECK(std::abs(peak - 1500) < 2); // cold now, but it has been hot
+            CHECK(std::abs(peak - 1500) < 2); // cold now after former heat
             ++tinted;
         }
         if (x > 0.4f) REQUIRE(std::abs(peak - 300) < 1);
@@ -273,7 +273,7 @@ TEST_CASE("a change is splatted once it exceeds the tolerance") {
         plate.update(surface);
         splatted += surface.statistics().particles;
     }
-    CHECK(splatted == 4); // each after every fourth step: 0.12 cells, 0.012 of the range
+    CHECK(splatted == 4); // one each after every fourth step: 0.12 cells, 0.012 of the range
 }
 
 TEST_CASE("another iso level, influence or temperature range takes effect in the next incremental update") {

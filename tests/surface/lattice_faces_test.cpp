@@ -1,4 +1,4 @@
-// Metal that stands on its lattice: flat faces, sharp edges, the same mesh around metal that melted.
+// Metal on its lattice: flat faces, sharp edges, and an unchanged mesh around metal that melted.
 #include "core/metal/state/metal_state.hpp"
 #include "core/surface/surface_level.hpp"
 #include "tests/support/catch.hpp"
@@ -24,10 +24,10 @@ namespace {
 constexpr float kSpacing = 1e-3f;
 constexpr vec3 kPlateLow{-0.012f, -0.006f, -0.009f}, kPlateHigh{0.012f, 0, 0.009f};
 
-/// What a plate's particles store of their past: when they froze, or how hot they were.
+/// The history that a plate's particles store: their freezing time or their peak temperature.
 enum class Past { frozen, hottest };
 
-/// A plate, and what of it melted.
+/// A plate and its part that melted.
 struct LatticePlate {
     LatticePlate() : lattice(MetalLattice::covering(kPlateLow, kPlateHigh, kSpacing)) {
         const auto seeds = latticeSeeds(lattice, kPlateLow, kPlateHigh, 300);
@@ -40,7 +40,7 @@ struct LatticePlate {
         times.assign(places.size(), 0);
     }
 
-    /// Takes what lies around a spot off the lattice, moves it and lets it freeze.
+    /// Takes the particles around a spot off the lattice, moves them and lets them freeze.
     void melt(vec3 spot, float radius) {
         for (size_t i = 0; i < places.size(); ++i) {
             const vec3 at = places[i];
@@ -76,8 +76,8 @@ struct LatticePlate {
     std::vector<unsigned> slots;
 };
 
-/// As lessons show it: cells of 0.86 spacings, in a box that fits neither lattice nor grid. `shift`: of the grid,
-/// spacings.
+/// A surface as in lessons: cells of 0.86 spacings, in a box that fits neither lattice nor grid. `shift` is the grid's,
+/// in spacings.
 struct PlateSurface {
     explicit PlateSurface(float shift)
         : surface(test::shaders(), {40, 3, 1, true, int(SurfaceKernel::smooth)},
@@ -91,7 +91,7 @@ struct PlateSurface {
     Surface surface;
 };
 
-/// Root mean square angle between the upper face's normals and the vertical away from its edges, degrees.
+/// Returns the root mean square angle between the upper face's normals and the vertical away from its edges, degrees.
 double faceTilt(const test::Mesh& mesh) {
     double square = 0, count = 0;
     for (const SurfaceVertex& v : mesh.vertices) {
@@ -105,10 +105,10 @@ double faceTilt(const test::Mesh& mesh) {
     return std::sqrt(square / count);
 }
 
-/// Distance from a point to a triangle, or more.
+/// Returns the distance from a point to a triangle, or slightly more.
 double distanceTo(dvec3 p, dvec3 a, dvec3 b, dvec3 c) {
     double least = 1;
-    constexpr int kParts = 12; // of the triangle's sides: places on it, a twentieth of a spacing apart
+    constexpr int kParts = 12; // parts of a triangle's side: points on it are a twentieth of a spacing apart
     for (int i = 0; i <= kParts; ++i)
         for (int j = 0; i + j <= kParts; ++j) {
             const double u = double(i) / kParts, v = double(j) / kParts;
@@ -117,8 +117,8 @@ double distanceTo(dvec3 p, dvec3 a, dvec3 b, dvec3 c) {
     return least;
 }
 
-/// The largest radius, in spacings, with which the plate's upper front edge is rounded: between an edge and its arc of
-/// radius r lie r (sqrt(2) - 1).
+/// Returns the largest radius, in spacings, that rounds the plate's upper front edge: the distance from an edge to its
+/// arc of radius r is r (sqrt(2) - 1).
 double edgeRadius(const test::Mesh& mesh) {
     double radius = 0;
     for (double x = -0.0093; x < 0.0093; x += 0.00047) {
@@ -135,8 +135,8 @@ double edgeRadius(const test::Mesh& mesh) {
     return radius;
 }
 
-/// Triangles that look where their vertices' normals do, and those that look the other way, m²: beside an edge a face
-/// may lie folded in its own plane, where a grid plane lies in it.
+/// Area of triangles that face along their vertices' normals, and of those that face the other way, m². Near an edge a
+/// face may fold in its own plane, where a grid plane coincides with it.
 struct FaceAreas {
     double seen = 0, turned = 0;
 };
@@ -177,7 +177,7 @@ TEST_CASE("a flat plate on its lattice is flat, and its edges are sharp, whereve
         CHECK(areas.seen - areas.turned ==
               Approx(2 * (size.x * size.y + size.y * size.z + size.z * size.x)).epsilon(1e-4));
         CHECK(areas.turned < 0.03 * areas.seen);
-        for (const SurfaceVertex& v : mesh.vertices) // no vertex off the plate's surface
+        for (const SurfaceVertex& v : mesh.vertices) // every vertex is on the plate's surface
             REQUIRE(glm::all(glm::lessThan(glm::abs(v.position - 0.5f * (kPlateLow + kPlateHigh)),
                                            0.5f * (kPlateHigh - kPlateLow) + 1e-6f)));
     }
@@ -216,7 +216,7 @@ TEST_CASE("incremental updates of a plate that melts give the mesh that a fresh 
     updated.surface.incremental.enabled = true;
     for (int step = 0; step < 6; ++step) {
         INFO("step " << step);
-        if (step > 0) plate.melt({-0.008f + 0.003f * float(step), 0, 0.006f}, 2e-3f); // beside an edge
+        if (step > 0) plate.melt({-0.008f + 0.003f * float(step), 0, 0.006f}, 2e-3f); // next to an edge
         plate.update(updated.surface, true, past);
         plate.update(fresh.surface, true, past);
         const auto sorted = [](const Surface& surface) {

@@ -1,4 +1,4 @@
-// The mesh in the machine's memory: closed after every kind of update, and of the bodies alone.
+// The mesh in main memory: closed after every kind of update, and reduced to the bodies.
 #include "core/base/error.hpp"
 #include "core/surface/mesh_bodies.hpp"
 #include "tests/support/catch.hpp"
@@ -35,8 +35,8 @@ bool isIn(ivec3 corner, int low, int high) {
     return glm::all(glm::greaterThanEqual(corner, ivec3(low))) && glm::all(glm::lessThanEqual(corner, ivec3(high)));
 }
 
-/// A particle exactly on each corner of a grid of 20 cells in -1..1 that `take` wants, corners numbered from 0 along
-/// each axis: with influence 1 exactly these corners are inside.
+/// Returns a particle exactly on each corner of a grid of 20 cells in -1..1 that `take` accepts, corners numbered from
+/// 0 along each axis: with influence 1 exactly these corners are inside.
 template <class Take>
 Particles onCorners(Take take) {
     Particles particles;
@@ -54,7 +54,7 @@ const SurfaceParameters kOnCorners{20, 1, 0.5f};
 TEST_CASE("the copied mesh is the surface's, after a rebuild and after changes") {
     Surface surface(test::shaders(), {96, 3, 0.6f, true, int(SurfaceKernel::smooth)}, vec3(-1), vec3(1));
     surface.incremental.enabled = true;
-    Particles particles; // a block of 24 an edge: one of them changes less than a third of its mesh
+    Particles particles; // a block of 24 an edge: one particle changes less than a third of its mesh
     for (int i = 0; i < 24 * 24 * 24; ++i)
         particles.emplace_back((vec3(i % 24, i / 24 % 24, i / 576) - 11.5f) * 0.04f, 0.5f);
     updateWith(surface, particles);
@@ -62,14 +62,14 @@ TEST_CASE("the copied mesh is the surface's, after a rebuild and after changes")
     CHECK(first.indices == test::readMesh(surface).indices);
     CHECK(first.peaks.empty());
     CHECK(test::unmatchedSides(meshOf(first)).empty());
-    particles[12 + 23 * 24 + 12 * 576].y += 0.06f; // out of the upper face
+    particles[12 + 23 * 24 + 12 * 576].y += 0.06f; // leaves the upper face
     updateWith(surface, particles);
     REQUIRE_FALSE(surface.statistics().rebuilt);
     const MeshCopy second = copyMesh(surface);
     CHECK(test::unmatchedSides(meshOf(second)).empty());
     CHECK(test::meshVolume(meshOf(second)) != test::meshVolume(meshOf(first)));
     const MeshCopy bodies = outerBodies(second);
-    CHECK(bodies.vertices.size() < second.vertices.size()); // those of triangles that were emptied are left out
+    CHECK(bodies.vertices.size() < second.vertices.size()); // vertices of removed triangles are left out
     CHECK(test::unmatchedSides(meshOf(bodies)).empty());
 }
 
@@ -90,7 +90,7 @@ TEST_CASE("a ball is one body with its volume and outward normals") {
 
 TEST_CASE("hollows and what lies in them are left out; bodies beside each other stay") {
     Surface surface(test::shaders(), kOnCorners, vec3(-1), vec3(1));
-    // A box with a hollow in which a drop lies, and two small boxes outside.
+    // The set is a box with a hollow that contains a drop, and two small boxes outside.
     const auto box = [](ivec3 c) { return isIn(c, 2, 12); };
     const auto hollow = [](ivec3 c) { return isIn(c, 5, 9); };
     const auto drop = [](ivec3 c) { return isIn(c, 7, 7); };
@@ -102,11 +102,11 @@ TEST_CASE("hollows and what lies in them are left out; bodies beside each other 
     CHECK(countParts(bodies) == 3);
     CHECK(test::unmatchedSides(meshOf(bodies)).empty());
 
-    updateWith(surface, onCorners([&](ivec3 c) { return box(c) || others(c); })); // without the hollow
+    updateWith(surface, onCorners([&](ivec3 c) { return box(c) || others(c); })); // set without the hollow
     const MeshCopy whole = outerBodies(copyMesh(surface));
     CHECK(test::meshVolume(meshOf(bodies)) == Approx(test::meshVolume(meshOf(whole))).epsilon(1e-6));
     CHECK(bodies.vertices.size() == whole.vertices.size());
-    CHECK(bodies.vertices.front().position.x < 0); // the largest comes first
+    CHECK(bodies.vertices.front().position.x < 0); // largest body first
 }
 
 TEST_CASE("a ring does not hold the drop in its hole, and a cup not the one above its floor") {
@@ -134,7 +134,7 @@ TEST_CASE("metal at the box is closed by caps, and nothing gives nothing") {
 
 TEST_CASE("a mesh that was cut because it did not fit is not copied") {
     Surface surface(test::shaders(), {48, 1, 0.5f}, vec3(-1), vec3(1));
-    Particles particles; // every second corner, as on a chessboard: as much surface as can be
+    Particles particles; // every second corner, as on a chessboard: the largest possible surface
     for (int i = 0; i < 49 * 49 * 49; ++i) {
         const ivec3 c(i % 49, i / 49 % 49, i / 49 / 49);
         if ((c.x + c.y + c.z) % 2 == 0) particles.emplace_back(vec3(c) / 24.0f - 1.0f, 0.5f);

@@ -1,4 +1,4 @@
-// Metal that stands on its lattice still in a pipe: round faces without the steps of its cells, flat ends.
+// Metal on its lattice in a pipe: round faces without the steps of its cells, flat ends.
 #include "core/metal/state/metal_state.hpp"
 #include "core/surface/surface_level.hpp"
 #include "tests/support/catch.hpp"
@@ -22,7 +22,7 @@ namespace {
 constexpr float kSpacing = 1e-3F, kOuter = 0.015F, kInner = 0.011F, kHalfLength = 0.01F;
 constexpr vec3 kLow{-kOuter, -kOuter, -kHalfLength}, kHigh{kOuter, kOuter, kHalfLength};
 
-/// Cells whose middles lie in the pipe, as of a workpiece.
+/// Cells whose middles are in the pipe, as in a workpiece.
 struct LatticePipe {
     LatticePipe() : lattice(MetalLattice::covering(kLow, kHigh, kSpacing)), slots(lattice.cellCount(), 0) {
         for (const MetalSeed& seed : latticeSeeds(lattice, kLow, kHigh, 300)) {
@@ -34,7 +34,7 @@ struct LatticePipe {
         heats.assign(places.size(), vec4(0, 0, 300, 0));
     }
 
-    /// Heats what lies around the spot so that it melted.
+    /// Heats the metal around the spot, so that it counts as melted.
     void melt(vec3 spot, float radius) {
         for (size_t i = 0; i < places.size(); ++i)
             if (glm::distance(vec3(places[i]), spot) < radius) heats[i].z = 2000;
@@ -64,8 +64,8 @@ struct LatticePipe {
     std::vector<unsigned> slots;
 };
 
-/// Of the outer face away from the ends: greatest distance from the circle, in spacings, and the root mean square angle
-/// between normal and radius, degrees.
+/// Measures of the outer face away from the ends: greatest distance from the circle, in spacings, and the root mean
+/// square angle between normal and radius, degrees.
 struct Roundness {
     double off = 0, tilt = 0;
 };

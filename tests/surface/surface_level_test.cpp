@@ -1,4 +1,4 @@
-// The level of a flat face: a block of metal has its own volume, whatever the reach and the grid.
+// The level of a flat face: a block of metal has its own volume, independent of kernel reach and grid.
 #include "core/surface/surface_level.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
@@ -15,7 +15,7 @@ using glm::vec4;
 TEST_CASE("the mean weight is the kernel's integral") {
     const double pi = 3.14159265358979;
     const double square = 2.5 * 2.5;
-    double sum = 0; // over shells
+    double sum = 0; // sum over shells
     for (double r = 0.0005; r < 2.5; r += 0.001)
         sum += 4 * pi * r * r * std::pow(1 - r * r / square, 3) * 0.001;
     CHECK(meanWeight(SurfaceKernel::smooth, 3) == Approx(sum).epsilon(1e-4));
@@ -24,7 +24,7 @@ TEST_CASE("the mean weight is the kernel's integral") {
 }
 
 TEST_CASE("a block at the level of a flat face has its volume and faces") {
-    // 40 x 24 x 32 particles of spacing 1.
+    // The block has 40 x 24 x 32 particles of spacing 1.
     std::vector<vec4> particles;
     for (int z = 0; z < 32; ++z)
         for (int y = 0; y < 24; ++y)
@@ -42,7 +42,7 @@ TEST_CASE("a block at the level of a flat face has its volume and faces") {
         INFO("kernel " << kernel << ", influence " << influence << ", cells " << cells);
         CHECK(test::unmatchedSides(mesh).empty());
         CHECK(test::meshVolume(mesh) == Approx(40.0 * 24 * 32).epsilon(kernel == 0 ? 0.05 : 0.03));
-        // The middle of the top face, between the rounded edges.
+        // Only the middle of the top face counts, between the rounded edges.
         for (const SurfaceVertex& v : mesh.vertices) {
             const bool middle = v.position.x > 8 && v.position.x < 32 && v.position.z > 8 && v.position.z < 24;
             if (middle && v.position.y > 12) REQUIRE(std::abs(v.position.y - 24) < 0.25f);

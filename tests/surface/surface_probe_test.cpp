@@ -1,5 +1,4 @@
-// Queries of the surface: compared with a CPU twin that marches through the same volumes in tiny steps, and with flat
-// metal.
+// Queries of the surface against a CPU twin that marches through the volumes in tiny steps, and against flat metal.
 #include "core/surface/surface_level.hpp"
 #include "core/surface/surface_probe.hpp"
 #include "tests/support/catch.hpp"
@@ -23,7 +22,7 @@ using glm::vec4;
 
 namespace {
 
-/// The density and heat of a surface between its corners, read back.
+/// The density and heat of a surface between its corners, after a readback.
 class Field {
   public:
     explicit Field(const Surface& surface)
@@ -35,7 +34,8 @@ class Field {
     bool inside(dvec3 place) const { return at(place, density_) >= iso_; }
     double temperature(dvec3 place) const { return at(place, heat_) / at(place, density_); }
 
-    /// Distance at which the inside begins or ends, in steps of a fiftieth of a cell; `reach` where it does not.
+    /// Returns the distance at which the inside begins or ends, in steps of a fiftieth of a cell; `reach` if there is
+    /// no change.
     double change(dvec3 from, dvec3 way, double reach) const {
         const double step = double(grid_.boxMax.x - grid_.boxMin.x) / double(grid_.cells.x) / 50;
         const bool start = inside(from);
@@ -72,7 +72,7 @@ void update(Surface& surface, const std::vector<vec4>& particles) {
     glFinish();
 }
 
-/// A ball of particles, hotter to the right.
+/// Returns a ball of particles, hotter to the right.
 std::vector<vec4> ball() {
     std::mt19937 random(7);
     std::uniform_real_distribution<float> uniform(-1, 1);
@@ -84,7 +84,7 @@ std::vector<vec4> ball() {
     return particles;
 }
 
-/// Particles of a cubic lattice that fill the lower part of the box up to `top`.
+/// Returns particles of a cubic lattice that fill the lower part of the box up to `top`.
 std::vector<vec4> slab(float spacing, float top) {
     std::vector<vec4> particles;
     for (float z = -1 + spacing / 2; z < 1; z += spacing)
@@ -120,8 +120,8 @@ TEST_CASE("a query from anywhere finds what marching in tiny steps finds") {
         const bool inside = field.inside(aim.point);
         const double ahead = field.change(aim.point, inside ? -aim.axis : aim.axis, 2);
         INFO("look " << i << " from " << aim.point.x << ' ' << aim.point.y << ' ' << aim.point.z);
-        // At grazing incidence one may hit the metal and the other miss it: then the twin finds metal close beside the
-        // ray.
+        // At grazing incidence one search may hit the metal and the other miss it: then the twin finds metal close to
+        // the ray.
         if (std::abs(std::abs(double(found.ahead)) - ahead) > 0.1 * cell) {
             const double other = field.change(dvec3(aim.point) + 0.05 * cell * dvec3(randomDirection(random)),
                                               inside ? -aim.axis : aim.axis, 2);
@@ -129,7 +129,7 @@ TEST_CASE("a query from anywhere finds what marching in tiny steps finds") {
         }
         CHECK((found.nearest < 0) == inside);
         insides += inside ? 1 : 0;
-        // Nothing is much nearer than what was found among the rays' directions.
+        // No metal in the rays' directions is much closer than the result.
         double nearest = 2;
         for (int j = 0; j < 60; ++j)
             nearest = std::min(nearest, field.change(aim.point, randomDirection(random), nearest));
@@ -152,7 +152,7 @@ TEST_CASE("over flat metal a query gives the height, the length along an incline
     surface.parameters.isoLevel = flatFaceLevel(surface.parameters, surface.grid(), spacing);
     update(surface, slab(spacing, top));
     SurfaceProbe probe(test::shaders());
-    const float off = 0.25f * spacing; // the lattice's waves, and an iso level made for the mean
+    const float off = 0.25f * spacing; // the lattice's waves, and an iso level for the mean
     const float leaningOff = 0.35f * spacing * std::sqrt(2.0f);
     for (const float height : {0.5f, 0.11f, 0.02f, -0.03f, -0.3f}) {
         const SurfaceProbeAnswer straight = probe.now(surface, {{0.03f, top + height, -0.21f}, {0, -1, 0}, 2});
@@ -181,7 +181,7 @@ TEST_CASE("an answer comes without waiting, the same bits each time; empty space
     const SurfaceProbeAnswer wanted = probe.now(surface, aim);
     CHECK(wanted.ahead < 1);
     probe.request(surface, aim);
-    probe.request(surface, {{0, 0, 0}, {0, 1, 0}, 1}); // dropped
+    probe.request(surface, {{0, 0, 0}, {0, 1, 0}, 1}); // this request is dropped
     glFinish();
     std::optional<SurfaceProbeAnswer> answer;
     for (int i = 0; i < 100 && !answer; ++i)

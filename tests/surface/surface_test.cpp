@@ -1,4 +1,4 @@
-// The surface's passes against their twin on the CPU, closedness, and shapes whose measures are known.
+// The surface's passes against their twin on the CPU, closed meshes, and shapes of known measures.
 #include "core/base/error.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
@@ -30,7 +30,7 @@ void updateWith(Surface& surface, const Particles& particles) {
     glFinish();
 }
 
-/// Uniform in the box and a little beyond it, temperatures from 0 to 1.
+/// Returns uniform particles in the box and a little beyond it, temperatures from 0 to 1.
 Particles scattered(size_t count, vec3 low, vec3 high, unsigned seed) {
     std::mt19937 random(seed);
     const auto next = [&random] { return float(random() >> 8) * 0x1p-24f; };
@@ -40,7 +40,8 @@ Particles scattered(size_t count, vec3 low, vec3 high, unsigned seed) {
     return particles;
 }
 
-/// A particle exactly on each corner that `take` wants: with influence 1 the density there is exactly 1, else 0.
+/// Returns a particle exactly on each corner that `take` accepts: with influence 1 the density there is exactly 1, else
+/// 0.
 template <class Take>
 Particles onCorners(const SurfaceGrid& grid, Take take) {
     const SurfaceSetup s = grid.setup();
@@ -63,7 +64,7 @@ void requireVolumes(const Surface& surface, const test::Volumes& twin) {
     REQUIRE(surface.temperatureVolume().read<std::uint32_t>(twin.density.size()) == twin.temperature);
 }
 
-/// Largest difference of a coordinate, normal component or temperature.
+/// Returns the largest difference of a coordinate, normal component or temperature.
 double largestDifference(const std::vector<SurfaceVertex>& a, const std::vector<SurfaceVertex>& b) {
     double largest = a.size() == b.size() ? 0 : std::numeric_limits<double>::infinity();
     for (size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
@@ -112,7 +113,7 @@ TEST_CASE("the volumes equal the twin's to the last unit at every influence and 
 TEST_CASE("a particle reaches (2 influence - 1) cubed corners and weighs by distance") {
     for (int influence = 1; influence <= 8; ++influence) {
         Surface surface(test::shaders(), {20, influence}, vec3(-1), vec3(1));
-        updateWith(surface, {vec4(0.0f, 0.0f, 0.0f, 0.0f)}); // on a corner
+        updateWith(surface, {vec4(0.0f, 0.0f, 0.0f, 0.0f)}); // particle on a corner
         const auto volume = surface.densityVolume().read<std::uint32_t>(surface.densityVolume().bytes() / 4);
         const auto reached = std::count_if(volume.begin(), volume.end(), [](std::uint32_t v) { return v > 0; });
         CHECK(reached == (2 * influence - 1) * (2 * influence - 1) * (2 * influence - 1));
@@ -154,7 +155,7 @@ TEST_CASE("the surface of any pattern is closed with caps, and open only at the 
     unsigned seed = 1;
     for (const int cells : {2, 3, 5, 6, 7, 14, 15, 22})
         for (const unsigned percent : {10U, 50U, 90U, 100U}) {
-            ++seed; // at iso level 1 every vertex falls on a corner: the hardest case for the faces' agreement
+            ++seed; // at iso level 1 every vertex is on a corner: the hardest case for the faces' agreement
             Surface surface(test::shaders(), {cells, 1, seed % 2 == 0 ? 1.0f : 0.3f}, vec3(-1), vec3(1));
             const Particles particles = randomPattern(surface.grid(), percent, seed);
             INFO("cells " << cells << ", percent " << percent << ", particles " << particles.size());
@@ -199,7 +200,7 @@ TEST_CASE("all 256 patterns of a cell give a closed surface") {
 }
 
 TEST_CASE("a ball has its area, volume, topology and normals") {
-    // One particle of influence 8: the density falls linearly with the distance, so that every level is a sphere.
+    // One particle has influence 8: the density falls linearly with the distance, so that every level is a sphere.
     Surface surface(test::shaders(), {32, 8, 0.6f}, vec3(-1), vec3(1));
     const vec3 centre(0.013f, -0.021f, 0.008f);
     updateWith(surface, {vec4(centre, 0.0f)});
@@ -207,7 +208,7 @@ TEST_CASE("a ball has its area, volume, topology and normals") {
     const double radius = 0.4 * (std::sqrt(3.0) / 2 + 7 * std::sqrt(3.0)) * 2 / 32;
     constexpr double kPi = 3.14159265358979;
     CHECK(test::unmatchedSides(mesh).empty());
-    CHECK(mesh.vertices.size() + mesh.indices.size() / 3 == mesh.indices.size() / 2 + 2); // Euler
+    CHECK(mesh.vertices.size() + mesh.indices.size() / 3 == mesh.indices.size() / 2 + 2); // Euler's formula
     CHECK(test::meshArea(mesh) == Approx(4 * kPi * radius * radius).epsilon(0.02));
     CHECK(test::meshVolume(mesh) == Approx(4 * kPi / 3 * radius * radius * radius).epsilon(0.025));
     float leastCosine = 1, farthest = 0;
@@ -280,7 +281,7 @@ TEST_CASE("a mesh too large for its buffers is cut, counted and flagged") {
     CHECK(drawn == std::min<size_t>(statistics.triangles, surface.grid().mostTriangles()));
     CHECK(*std::max_element(mesh.indices.begin(), mesh.indices.end()) < most);
 
-    updateWith(surface, {vec4(0.0f)}); // a mesh that fits again is complete again
+    updateWith(surface, {vec4(0.0f)}); // a mesh that fits is complete again
     CHECK_FALSE(surface.statistics().overflow);
     CHECK(test::unmatchedSides(test::readMesh(surface)).empty());
 }

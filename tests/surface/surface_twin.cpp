@@ -48,7 +48,7 @@ struct Field {
     }
 };
 
-/// The vertex between two neighbouring corners of which one is inside.
+/// Returns the vertex between two neighbouring corners of which one is inside.
 SurfaceVertex vertexBetween(const Field& field, float iso, ivec3 a, ivec3 b, float coldest, float hottest) {
     const SurfaceSetup s = field.grid.setup();
     const bool cap = !isOwn(field.grid, a) || !isOwn(field.grid, b);
@@ -165,7 +165,7 @@ Mesh twinMesh(const SurfaceGrid& grid, const Volumes& volumes, const SurfacePara
                 for (const CellTriangle& t : cellTriangles(inside)) {
                     TwinTriangle triangle{grid.address(cell), {}};
                     for (size_t i = 0; i < 3; ++i) {
-                        const CellEdge edge = t[(3 - i) % 3]; // turned round, as z runs against the model's
+                        const CellEdge edge = t[(3 - i) % 3]; // reversed, because z runs against the model's
                         const ivec3 a = cell + ivec3(edge & 1, edge >> 1 & 1, edge >> 2 & 1);
                         ivec3 b = a;
                         ++b[static_cast<int>(edge >> 3)];

@@ -11,16 +11,15 @@
 namespace meltpool::test {
 
 struct Volumes {
-    std::vector<std::uint32_t> density;     ///< by SurfaceGrid::address()
-    std::vector<std::uint32_t> temperature; ///< likewise
+    std::vector<std::uint32_t> density;     ///< indexed by SurfaceGrid::address()
+    std::vector<std::uint32_t> temperature; ///< indexed likewise
 };
 
-/// The volumes that Surface::update() makes, in the same order of operations of each weight.
+/// Returns the volumes that Surface::update() makes, with each weight's operations in its order.
 Volumes twinVolumes(const SurfaceGrid& grid, const SurfaceParameters& parameters, float coldest, float hottest,
                     const std::vector<glm::vec4>& particles);
 
-/// The freezing volume likewise; `frozenAt`: s, a particle each; 0: it never melted, negative: it is
-/// molten.
+/// Returns the freezing volume likewise. `frozenAt` has one time (s) per particle; 0: never melted, negative: molten.
 std::vector<glm::uvec2> twinFreezing(const SurfaceGrid& grid, const SurfaceParameters& parameters,
                                      const std::vector<glm::vec4>& particles, const std::vector<float>& frozenAt);
 
@@ -29,18 +28,18 @@ struct Mesh {
     std::vector<unsigned> indices;
 };
 
-/// Marching cubes over every cell of the grid (and of the layer around it with caps), vertices shared by edge; in the
-/// order that Surface promises.
+/// Applies marching cubes to every cell of the grid (and of the layer around it with caps), with vertices shared by
+/// edge, in the order that Surface promises.
 Mesh twinMesh(const SurfaceGrid& grid, const Volumes& volumes, const SurfaceParameters& parameters, float coldest,
               float hottest);
 
-/// The mesh of the last update, without empty triangles.
+/// Returns the mesh of the last update, without empty triangles.
 Mesh readMesh(const Surface& surface);
 
-/// The sides that are not shared by exactly two triangles in opposite directions, as pairs of vertex numbers.
+/// Returns the sides that are not shared by exactly two triangles in opposite directions, as pairs of vertex numbers.
 std::vector<std::pair<unsigned, unsigned>> unmatchedSides(const Mesh& mesh);
 
-/// Area, and volume enclosed by outward-turned triangles.
+/// Return the area, and the volume that outward-turned triangles enclose.
 double meshArea(const Mesh& mesh);
 double meshVolume(const Mesh& mesh);
 

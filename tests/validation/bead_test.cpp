@@ -1,4 +1,4 @@
-// Wire metal lies on the plate and not in it.
+// The position of wire metal: on the plate, not inside it.
 #include "core/metal/physical_metal.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
@@ -40,6 +40,6 @@ TEST_CASE("A drop that falls on a cold plate stays on it", "[physical]") {
     const vec4 place = metal.state().position.read<vec4>(1, slot * sizeof(vec4))[0];
     CHECK(place.y > 0.2F * kSpacing);
     CHECK(place.y < 1.2F * kSpacing);
-    CHECK(place.w < 1700); // the plate has taken its heat
+    CHECK(place.w < 1700); // the plate has absorbed its heat
     CHECK((metal.state().phase.read<uint>(1, slot * sizeof(uint))[0] & PHASE_LIQUID) == 0);
 }

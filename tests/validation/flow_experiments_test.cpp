@@ -1,4 +1,4 @@
-// Small versions of the flow's experiments: drops, pools and plates do what theory says.
+// Small versions of the flow's experiments: drops, pools and plates agree with theory.
 #include "core/validation/exact_solutions.hpp"
 #include "core/validation/flow_experiments.hpp"
 #include "tests/support/catch.hpp"
@@ -46,7 +46,7 @@ TEST_CASE("a drop's highest point is found from particles in any order and where
     const double radius = GENERATE(3e-3, 6e-3);
     INFO("spacing " << spacing << ", radius " << radius);
     const glm::dvec3 axis(0.3e-3, 0, -0.2e-3);
-    // Half a ball on the plane, its outermost particles half a spacing inside.
+    // The start is half a ball on the plane, its outermost particles half a spacing inside.
     std::vector<glm::dvec3> places;
     const int reach = static_cast<int>(radius / spacing) + 1;
     for (int x = -reach; x <= reach; ++x)
@@ -96,7 +96,7 @@ TEST_CASE("a pool's pressure grows with depth, and it comes to rest") {
     const HydrostaticColumn column = hydrostaticColumn(test::shaders(), steel, height, 9.81, 0.5);
     CHECK(column.bottomPressure == Approx(steel.density * 9.81 * height).epsilon(0.03));
     CHECK(column.densityError < 0.03);
-    CHECK(column.restSpeed < 6e-3); // surface tension keeps the particles trembling
+    CHECK(column.restSpeed < 6e-3); // surface tension causes a constant tremble of the particles
     CHECK_FALSE(column.faults.any());
 }
 
@@ -136,7 +136,7 @@ TEST_CASE("flow between plates starts up as the series says") {
         const double exact = exact::poiseuille(force, oil.viscosity, oil.density, gap, flow.places[i], time);
         worst = std::max(worst, std::abs(flow.velocities[i] - exact) / centre);
     }
-    CHECK(worst < 0.05); // ten particles over the gap
+    CHECK(worst < 0.05); // ten particles across the gap
     CHECK_FALSE(flow.faults.any());
 }
 

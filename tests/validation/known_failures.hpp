@@ -1,4 +1,4 @@
-// The validation cases that fail at present, and what is expected of a case's verdict.
+// The validation cases known to fail, and the check of a case's verdict against them.
 #pragma once
 
 #include <filesystem>
@@ -11,11 +11,11 @@ namespace meltpool::test {
 using KnownFailures = std::map<std::string, std::string, std::less<>>;
 
 /// Reads lines `NAME: REASON`; `#` begins a comment, blank lines are skipped. Throws InputError with the line for one
-/// without a name or a reason, for a name that stands twice and for one without a file NAME.toml in `cases`.
+/// without a name or a reason, for a repeated name and for one without a file NAME.toml in `cases`.
 KnownFailures readKnownFailures(const std::filesystem::path& file, const std::filesystem::path& cases);
 
-/// A sentence where the verdict is not the expected one: a case fails that is not known to, or a known one passes. ""
-/// where all is as expected.
+/// Returns a sentence if the verdict is unexpected: an unknown failure, or a known failure that passes. "" if the
+/// verdict is expected.
 std::string surpriseOf(const std::string& name, bool passed, const KnownFailures& known);
 
 } // namespace meltpool::test

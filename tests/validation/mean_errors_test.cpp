@@ -1,4 +1,4 @@
-// Errors of many cases together.
+// Mean errors over many cases.
 #include "core/validation/mean_errors.hpp"
 #include "tests/support/catch.hpp"
 
@@ -30,7 +30,7 @@ TEST_CASE("Mean errors of what several cases measured, the worst by name", "[val
                               result("two", {measured("width_mm", 5, 4), told("steps")}),
                               result("three", {measured("height_mm", 4, std::nan("")), measured("depth_mm", 3, 3)})};
     const std::vector<MeanError> errors = meanErrors(results);
-    REQUIRE(errors.size() == 2); // the depth was measured once only
+    REQUIRE(errors.size() == 2); // the depth has a single measurement
     CHECK(errors[0].name == "width_mm");
     CHECK(errors[0].count == 2);
     CHECK(errors[0].percent == Approx(15));
@@ -39,7 +39,7 @@ TEST_CASE("Mean errors of what several cases measured, the worst by name", "[val
     CHECK(errors[0].worstPercent == Approx(20));
     CHECK(errors[0].worstCase == "two");
     CHECK(errors[1].name == "height_mm");
-    CHECK(errors[1].percent == Approx(50)); // what a case did not yield is 100 % off
+    CHECK(errors[1].percent == Approx(50)); // a case without a result counts as 100 % off
     CHECK(errors[1].worstDifference == Approx(4));
     CHECK(errors[1].worstCase == "three");
     CHECK(meanErrorsText(errors) ==

@@ -1,4 +1,4 @@
-// Every shipped validation case does what is known of it: it passes, or known_failures.txt names it.
+// Every shipped validation case: it passes, or known_failures.txt names it.
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "core/validation/validation.hpp"
@@ -30,7 +30,7 @@ KnownFailures shippedFailures() {
     return readKnownFailures(testFolder() / "validation" / "known_failures.txt", caseFolder());
 }
 
-/// As `meltpool validate` runs it: a case that ends early has failed, with the reason in `error`.
+/// Runs a case as `meltpool validate` does: a case that ends early has failed, with the reason in `error`.
 ValidationResult runShipped(const std::string& name) {
     ValidationResult result;
     try {

@@ -1,4 +1,4 @@
-// Case files: the documented format reads, everything else is refused with its line.
+// Case files: the documented format is read, all else is refused with its line.
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "core/validation/validation_case.hpp"
@@ -190,12 +190,12 @@ TEST_CASE("A case's material needs what its kind looks at, in any of its forms",
     CHECK(drop("density_liquid = 6900\nsurface_tension = 1.8").solidDensity.at(300) == 6900);
     CHECK(drop("use = \"S235\"").tensionAt(1813) == Approx(1.8).epsilon(0.05));
     CHECK(drop("use = \"S235\"\nsulphur_percent = 0.03").sulphur == 0.03);
-    CHECK(drop("use = \"S235\"\nsurface_tension = 1.8").tensionAt(1813) == 1.8); // the given one, whole
+    CHECK(drop("use = \"S235\"\nsurface_tension = 1.8").tensionAt(1813) == 1.8); // the complete given value
     CHECK_THROWS_AS(drop("use = \"S235\"\nsulphur_percent = 0.3"), InputError);
     CHECK_THROWS_AS(drop("use = \"S235\"\nsurface_tension = 0.1\nsulphur_percent = 0.1"), InputError);
     CHECK(drop("use = \"aluminium_6061\"").key == "aluminium-6061");
     CHECK_THROWS_AS(drop("density = 7000"), InputError);                      // no surface tension
-    CHECK_THROWS_AS(drop("density = 7000\nsurface_tension = 0"), InputError); // nothing would pull
+    CHECK_THROWS_AS(drop("density = 7000\nsurface_tension = 0"), InputError); // zero tension has no effect
     CHECK_THROWS_AS(materialOf("poiseuille", "gap_mm = 6\nbody_force_n_m3 = 1", "density = 1000"), InputError);
     CHECK(
         materialOf("poiseuille", "gap_mm = 6\nbody_force_n_m3 = 1", "density = 1000\nviscosity = 1").viscosity.at(0) ==
@@ -223,7 +223,7 @@ struct KindAndKeys {
     std::string kind, keys;
 };
 
-/// Every kind with the keys that the documentation gives it.
+/// Every kind with its documented keys.
 const std::vector<KindAndKeys> kKinds{
     {"conduction_step", "wall_temperature_k = 1500\ninitial_temperature_k = 293\nat_mm = [1, 2, 5]"},
     {"conduction_flux", "flux_w_m2 = 5e6\ninitial_temperature_k = 293\nat_mm = [0, 1]"},
@@ -276,7 +276,7 @@ TEST_CASE("Every documented kind takes its documented keys and needs each of the
             if (key.fallback) continue;
             INFO(key.key);
             std::string fewer = one.keys;
-            fewer.insert(fewer.find(key.key), "x"); // no longer there, but for an unknown one
+            fewer.insert(fewer.find(key.key), "x"); // an unknown key replaces the required one
             CHECK_THROWS_AS(readText(caseOf(one.kind, fewer)), InputError);
         }
     }
@@ -288,7 +288,7 @@ namespace {
 
 constexpr const char* kWeld = "speed_mm_s = 9\nplate_mm = [60, 4, 30]\nambient_k = 293\n";
 
-/// What is wrong with a weld whose keys of the process these are; empty where nothing is.
+/// Returns the fault of a weld with these process keys; empty without a fault.
 std::string weldFault(const std::string& kind, const std::string& keys) {
     try {
         readText(caseOf(kind, std::string(kind == "arc_spot" ? std::string(kWeld).substr(15) : kWeld) + keys));
@@ -335,7 +335,7 @@ TEST_CASE("A bead's fused width may be measured under its former name", "[valida
     CHECK(c.measured.at("fused_width_mm").tolerancePercent == 7);
     CHECK_FALSE(c.measured.contains("width_mm"));
     CHECK_THROWS_AS(readText(caseOf("bead_on_plate", bead + "width_mm = 6\nfused_width_mm = 6")), InputError);
-    CHECK_THROWS_AS(readText(caseOf("bead_on_plate", bead + "toe_width_mm = 6")), InputError); // no wire, no bead
+    CHECK_THROWS_AS(readText(caseOf("bead_on_plate", bead + "toe_width_mm = 6")), InputError); // a bead requires wire
 }
 
 TEST_CASE("The cases beside the shipped ones read, each with what was measured", "[validation]") {

@@ -25,7 +25,7 @@ TEST_CASE("Melting fronts of Stefan and Neumann", "[exact]") {
     const double lambda = exact::stefanTwoPhase(problem);
     CHECK(lambda == Approx(0.29030).margin(5e-6));
     CHECK(exact::stefanFront(lambda, 30.0 / 7000 / 700, 10) == Approx(4.543e-3).margin(5e-7));
-    // Metal that already is at its melting point leaves the one-phase problem.
+    // Metal at its melting point violates the one-phase problem.
     const exact::StefanTwoPhase warm{7000, 30, 30, 700, 700, 2.7e5, 1750, 2500, 1750};
     CHECK(exact::stefanTwoPhase(warm) == Approx(exact::stefanOnePhase(700 * 750 / 2.7e5)).margin(1e-6));
 }
@@ -41,7 +41,7 @@ TEST_CASE("Rosenthal's moving sources", "[exact]") {
     CHECK(exact::besselK0(0.1) == Approx(2.4270690247).epsilon(1e-9));
     CHECK(exact::besselK0(1) == Approx(0.4210244382).epsilon(1e-9));
     CHECK(exact::besselK0(10) == Approx(1.778006232e-5).epsilon(1e-9));
-    // Far behind, where exp and K0 leave the range of a double apart.
+    // The place is far behind, where exp and K0 leave a double's range in opposite directions.
     CHECK(std::isfinite(exact::rosenthalThin(source, 0.006, -2, 0)));
 }
 
@@ -67,14 +67,14 @@ TEST_CASE("Drops and channels", "[exact]") {
     CHECK(exact::dropletFrequency(1.8, 7000, 1e-3) == Approx(228).margin(0.5));
     CHECK(exact::dropletPressure(1.8, 1e-3) == Approx(3600));
     const double pi = std::numbers::pi;
-    // A tiny drop is a cap of a sphere, a huge one a puddle.
+    // A tiny drop is a spherical cap, a huge one a puddle.
     CHECK(exact::sessileHeight(1.8, 7000, 9.81, 1e-12, pi / 2) == Approx(std::cbrt(3e-12 / (2 * pi))).epsilon(1e-3));
     CHECK(exact::sessileHeight(1.8, 7000, 9.81, 0.1, pi / 2) ==
           Approx(exact::puddleHeight(1.8, 7000, 9.81, pi / 2)).epsilon(0.03));
-    // Flow from rest: nothing at the start, the parabola at the end.
+    // Flow from rest: zero at the start, the parabola at the end.
     CHECK(exact::poiseuille(1000, 5e-3, 7000, 4e-3, 2e-3, 0) == Approx(0).margin(1e-6));
     CHECK(exact::poiseuille(1000, 5e-3, 7000, 4e-3, 2e-3, 1e3) == Approx(1000 * 16e-6 / (8 * 5e-3)));
-    // Just after the start the middle is in free acceleration.
+    // Just after the start the middle accelerates freely.
     CHECK(exact::poiseuille(1000, 5e-3, 7000, 4e-3, 2e-3, 0.1) == Approx(1000 * 0.1 / 7000).epsilon(1e-3));
     CHECK(exact::damBreakFront().size() == 14);
 }

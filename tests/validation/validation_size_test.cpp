@@ -1,4 +1,4 @@
-// Cases that the machine cannot hold, or that are too small for their spacing, are refused before anything is made.
+// Cases too large for the machine or too small for their spacing, refused before any allocation.
 #include "core/base/error.hpp"
 #include "core/base/memory.hpp"
 #include "core/validation/validation.hpp"
@@ -66,5 +66,6 @@ TEST_CASE("A bead's deposit is its wire's metal on a short plate too", "[validat
                                         [](const ValidationNumber& n) { return n.name == "deposited_mm2"; });
     REQUIRE(deposited != result.numbers.end());
     CHECK(deposited->origin == "exact");
-    CHECK(deposited->reference == Approx(9.163).epsilon(0.03)); // of the feed; the wire burns back by a few millimetres
+    CHECK(deposited->reference ==
+          Approx(9.163).epsilon(0.03)); // the feed's value; the wire burns back by a few millimetres
 }

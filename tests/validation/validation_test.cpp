@@ -1,4 +1,5 @@
-// Fronts and fields converge as the spacing shrinks, and closed forms hold for other materials and sizes than shipped.
+// Convergence of fronts and fields with the spacing, and closed forms for materials and sizes other than the shipped
+// ones.
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "core/validation/validation.hpp"
@@ -23,8 +24,8 @@ ValidationCase shipped(const std::string& name, double spacing) {
 TEST_CASE("A moving source's field is right beyond three coarse cells too", "[validation]") {
     const ValidationResult result = runValidationCase(shipped("rosenthal_thick", 2e-3), test::shaders());
     INFO(validationText(result));
-    CHECK(result.numbers[0].errorPercent < 3);   // 10 mm behind
-    CHECK(result.numbers[1].errorPercent < 1.5); // 20 mm behind
+    CHECK(result.numbers[0].errorPercent < 3);   // at 10 mm behind the source
+    CHECK(result.numbers[1].errorPercent < 1.5); // at 20 mm behind the source
 }
 
 TEST_CASE("Errors shrink with the spacing", "[validation]") {
@@ -44,7 +45,7 @@ TEST_CASE("Errors shrink with the spacing", "[validation]") {
 
 TEST_CASE("A wrong reference is found out", "[validation]") {
     ValidationCase wrong = shipped("conduction_step", 1e-3);
-    wrong.numbers["initial_temperature_k"] = 350; // the twin of the closed form follows, a held number does not
+    wrong.numbers["initial_temperature_k"] = 350; // the closed form adapts, a fixed number does not
     ValidationResult result = runValidationCase(wrong, test::shaders());
     CHECK(result.passed());
     result.compareExact(wrong, "temperature", 1225.8, result.numbers[0].ours);
@@ -71,7 +72,7 @@ TEST_CASE("Fronts freeze as they melt, and a mushy range counts as its middle", 
     ValidationCase front = shipped(GENERATE("stefan_one_phase_1mm", "stefan_two_phase_1mm"), 1e-3);
     const bool onePhase = front.kind->name == "stefan_one_phase";
     const double melted = runValidationCase(front, test::shaders()).numbers[0].ours;
-    // The same material for both phases: mirrored temperatures give the same front.
+    // Both phases have one material: mirrored temperatures give an equal front.
     front.numbers["wall_temperature_k"] = 2 * 1750 - front.number("wall_temperature_k");
     front.numbers["initial_temperature_k"] = 2 * 1750 - front.number("initial_temperature_k");
     ValidationResult result = runValidationCase(front, test::shaders());
@@ -91,7 +92,7 @@ TEST_CASE("A moving source's plate has any thickness, and the case waits until i
           "[validation]") {
     ValidationCase thin = shipped("rosenthal_thin", 1e-3);
     thin.numbers["thickness_mm"] = 1.6;
-    thin.time = 0.1; // the source has not come further than half a cell
+    thin.time = 0.1; // the source has moved half a cell at most
     const ValidationResult result = runValidationCase(thin, test::shaders());
     INFO(validationText(result));
     CHECK(result.passed());

@@ -1,4 +1,4 @@
-// Beads, fillets, arc spots and cooling rates: small welds whose figures must lie where geometry and balance put them.
+// Beads, fillets, arc spots and cooling rates: small welds whose figures agree with geometry and balance.
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "core/validation/validation.hpp"
@@ -12,7 +12,7 @@ using namespace meltpool;
 
 namespace {
 
-/// A weld of s235 with particles of 2 mm: quick, and coarse.
+/// Runs a weld of s235 with particles of 2 mm: quick, and coarse.
 ValidationResult weld(const std::string& kind, const std::string& keys) {
     const auto file = test::scratchFolder("weld-case") / "case.toml";
     writeTextFileAtomically(file, "name = \"weld\"\nkind = \"" + kind +
@@ -42,13 +42,13 @@ constexpr const char* kGmaw = "process = \"gmaw\"\nvoltage = 24\nwire_feed_m_min
 TEST_CASE("A bead tells current, toes, height, angle and deposit of the wire that was fed", "[validation]") {
     const ValidationResult result =
         weld("bead_on_plate", std::string(kGmaw) + "speed_mm_s = 8\nplate_mm = [60, 8, 40]\n");
-    const double fed = 3.14159265 / 4 * 1.2 * 1.2 * 8000 / 60 / 8; // mm² of bead
+    const double fed = 3.14159265 / 4 * 1.2 * 1.2 * 8000 / 60 / 8; // cross-section of the bead, mm²
     CHECK(number(result, "deposited_mm2").passed);
-    CHECK(ours(result, "deposited_mm2") == Approx(fed).epsilon(0.15)); // the arc starts and ends within the path
+    CHECK(ours(result, "deposited_mm2") == Approx(fed).epsilon(0.15)); // the arc starts and ends inside the path
     CHECK(ours(result, "current_a") > 150);
     CHECK(ours(result, "current_a") < 350);
     CHECK(ours(result, "toe_width_mm") > ours(result, "height_mm"));
-    // A segment with this width and height has the area of the deposit.
+    // A circular segment with this width and height has the area of the deposit.
     const double width = ours(result, "toe_width_mm"), height = ours(result, "height_mm");
     CHECK(ours(result, "section_mm2") > 0.5 * width * height);
     CHECK(ours(result, "section_mm2") < 1.1 * width * height);
@@ -72,7 +72,8 @@ TEST_CASE("A fillet has legs on both plates, and more wire makes them longer", "
         CHECK(ours(*one, "root_fusion_mm") >= 0);
     }
     CHECK(ours(slow, "leg_mm") > ours(fast, "leg_mm") + 0.5);
-    CHECK(ours(slow, "leg_mm") == Approx(std::sqrt(2 * ours(slow, "deposited_mm2"))).epsilon(0.35)); // of a mitre
+    CHECK(ours(slow, "leg_mm") ==
+          Approx(std::sqrt(2 * ours(slow, "deposited_mm2"))).epsilon(0.35)); // leg of a mitre fillet
 }
 
 TEST_CASE("A fillet that is given a current draws it, by the wire that melts above the filled corner", "[validation]") {
@@ -118,6 +119,6 @@ TEST_CASE("A weld of more heat cools more slowly", "[validation]") {
     const double t85 = (6700 - 5 * 20) * heat * (1.0 / 480 - 1.0 / 780);
     CHECK(ours(fast, "t85_s") == Approx(t85).epsilon(0.4));
     for (const ValidationNumber& n : slow.numbers)
-        CHECK(n.name != "t85_s"); // ended before
+        CHECK(n.name != "t85_s"); // the run ends before that
     CHECK_THROWS_AS(cooling(15, "hot_k = 9000\n"), InputError);
 }

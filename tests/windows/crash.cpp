@@ -1,5 +1,5 @@
-// Makes a running program crash: test_crash.exe TITLE starts a thread at an address where there is no code in the
-// process that the visible window belongs to whose title begins so. Tells that process's number.
+// A helper that crashes a running program: test_crash.exe TITLE starts a thread at an address without code, in the
+// process of the visible window whose title begins with TITLE, and prints the process's number.
 #include <windows.h>
 
 #include <array>

@@ -1,6 +1,6 @@
-// Presses Ctrl-C in a program's console: test_interrupt.exe FILE BYTES PROGRAM WORD...
-// starts the program, waits until the file has that many bytes, and answers the program's exit code, or 100 and more
-// where Ctrl-C could not be pressed.
+// A helper that presses Ctrl-C in a program's console: test_interrupt.exe FILE BYTES PROGRAM WORD... starts the
+// program, waits until the file has that many bytes, and returns the program's exit code, or 100 and more if Ctrl-C
+// fails.
 #include <windows.h>
 
 #include <cstdio>
@@ -12,7 +12,7 @@ int main(int count, char** words) {
     if (count < 4) return 100;
     const HANDLE input = GetStdHandle(STD_INPUT_HANDLE), output = GetStdHandle(STD_OUTPUT_HANDLE),
                  error = GetStdHandle(STD_ERROR_HANDLE);
-    FreeConsole(); // a program that a shell without a terminal starts has one that knows no keys
+    FreeConsole(); // a shell without a terminal gives its child a console without keys
     if (AllocConsole() == FALSE) return 105;
     std::string line;
     for (int i = 3; i < count; ++i)
@@ -31,9 +31,9 @@ int main(int count, char** words) {
     for (int tries = 0; tries < 6000; ++tries) {
         const std::uintmax_t bytes = std::filesystem::file_size(words[1], missing);
         if (!missing && bytes >= wanted) break;
-        if (WaitForSingleObject(process.hProcess, 50) == WAIT_OBJECT_0) return 102; // it ended by itself
+        if (WaitForSingleObject(process.hProcess, 50) == WAIT_OBJECT_0) return 102; // the program ended by itself
     }
-    SetConsoleCtrlHandler(nullptr, TRUE); // this program is to outlive it
+    SetConsoleCtrlHandler(nullptr, TRUE); // this program must survive Ctrl-C
     if (GenerateConsoleCtrlEvent(CTRL_C_EVENT, 0) == FALSE) {
         TerminateProcess(process.hProcess, 103);
         return 103;

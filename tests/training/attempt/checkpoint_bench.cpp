@@ -19,10 +19,10 @@ Lesson shipped(const std::string& name) {
     return findLesson(name, testFolder().parent_path() / "app" / "data" / "lessons");
 }
 
-/// So hot that it melts within a second.
+/// Returns a plate so hot that it melts within a second.
 Lesson smallPlate(const std::string& name) {
     Lesson lesson = shipped(name);
-    lesson.choose.clear(); // whatever a test sets is allowed
+    lesson.choose.clear(); // a test may set any parameter
     lesson.workpiece.lengthMm = 20;
     lesson.workpiece.widthMm = 14;
     lesson.workpiece.thicknessMm = 4;
@@ -48,17 +48,17 @@ Lesson smallClassic() {
     return lesson;
 }
 
-/// m over the middle of the upper face at which the process's tip is held.
+/// Returns the height (m) of the process's tip over the middle of the upper face.
 float heightOf(const std::string& process, size_t step) {
     if (process == "gtaw") return 2 * kMm;
     if (process == "gmaw") return 3 * kMm;
-    if (process == "smaw") return step < 6 ? 0.0F : 2.5F * kMm; // struck by touching
-    if (process == "flame") return 5 * kMm + 10 * kMm;          // from the cube's middle
+    if (process == "smaw") return step < 6 ? 0.0F : 2.5F * kMm; // the arc strikes by touch
+    if (process == "flame") return 5 * kMm + 10 * kMm;          // height from the cube's middle
     if (process == "iron") return 5 * kMm + 0.5F * kMm;
     return 0;
 }
 
-/// Lies in front of the torch and dips in and out.
+/// Returns a rod in front of the torch that dips in and out.
 RodSample rodBefore(const TorchSample& torch, size_t step) {
     RodSample rod;
     const float out = step % 20 < 10 ? 0.0F : 6 * kMm;

@@ -1,4 +1,4 @@
-// What the tests of checkpoints share: a small lesson of each process, a torch for it, and how an attempt ended.
+// Shared parts of the checkpoint tests: a small lesson of each process, a torch for it, and an attempt's final state.
 #pragma once
 
 #include "core/training/trainer/trainer.hpp"
@@ -8,19 +8,19 @@
 
 namespace meltpool::test {
 
-/// "flame", "gtaw", "gmaw", "smaw", "iron" and "classic".
+/// Returns "flame", "gtaw", "gmaw", "smaw", "iron" and "classic".
 const std::vector<std::string>& checkpointProcesses();
 
-/// A lesson of some hundred to two thousand particles.
+/// Returns a lesson of some hundred to two thousand particles.
 Lesson checkpointLesson(const std::string& process);
 
-/// The torch of step number `step`, whichever way the lesson came to it.
+/// Returns the torch of step number `step`, independent of the steps before it.
 TorchSample checkpointTorch(const std::string& process, size_t step);
 
-/// Makes steps until there are `step` of them.
+/// Makes steps until their number is `step`.
 void runTo(Trainer& trainer, const std::string& process, size_t step);
 
-/// All that must be the same at the end, in words that tell two ends apart.
+/// Returns everything that must be equal at the end, in words that distinguish two ends.
 std::string endOf(Trainer& trainer);
 
 } // namespace meltpool::test

@@ -1,5 +1,5 @@
-// Checkpoints: an attempt that goes on from one ends in the same bits as the attempt that was never interrupted, with
-// every process, in the same metal and in a new one; what is damaged or of another lesson is refused.
+// Checkpoints: an attempt that continues from one ends in the bits of the uninterrupted attempt, with every process, in
+// used and in new metal; damaged or foreign checkpoints are refused.
 #include "core/base/error.hpp"
 #include "core/training/attempt/packing.hpp"
 #include "core/weld/torch/torch_csv.hpp"
@@ -14,10 +14,10 @@ using namespace meltpool;
 
 namespace {
 
-constexpr size_t kSaved = 50; ///< steps before a checkpoint; no whole number of the fragments' cycles
+constexpr size_t kSaved = 50; ///< number of steps before a checkpoint; not a whole number of the fragments' cycles
 constexpr size_t kEnd = 90;
 
-/// Milliseconds that something takes.
+/// Returns the milliseconds that `work` takes.
 template <class Work>
 double milliseconds(Work&& work) {
     const auto begin = std::chrono::steady_clock::now();
@@ -179,7 +179,7 @@ TEST_CASE("a checkpoint that was damaged is refused, and the metal stays as it i
     damaged = checkpoint;
     damaged.history.pop_back();
     refused(damaged);
-    seal(damaged); // its hash says that it is whole
+    seal(damaged); // its hash declares it whole
     refused(damaged);
     damaged = checkpoint;
     ++damaged.step;
@@ -239,7 +239,7 @@ TEST_CASE("a checkpoint without the hand's first steps is for the attempt that h
 TEST_CASE("a checkpoint of 30,000 particles: what it takes", "[training][long]") {
     Trainer trainer(test::shaders(),
                     findLesson("gmaw-bead", test::testFolder().parent_path() / "app" / "data" / "lessons"));
-    trainer.advanceDemonstration(nullptr); // a recording's first moment is that of the first step
+    trainer.advanceDemonstration(nullptr); // a recording's first checkpoint is that of the first step
     const Checkpoint start = trainer.save();
     for (int i = 1; i < 700; ++i)
         trainer.advanceDemonstration(nullptr);

@@ -1,4 +1,4 @@
-// Two attempts in words: what is resolved is told, heaviest first, and nothing else.
+// Comparison of two attempts in words: resolved differences, the heaviest first, and no others.
 #include "core/training/attempt/differences.hpp"
 
 #include "core/base/words.hpp"
@@ -35,7 +35,7 @@ TEST_CASE("every figure that is compared has its words once", "[training][compar
                               *less = findPhrase("figure." + figure.key + ".less");
             REQUIRE((more != nullptr && less != nullptr));
             CHECK(*more != *less);
-            CHECK(more->find_first_of("<&") == std::string::npos); // they stand in HTML too
+            CHECK(more->find_first_of("<&") == std::string::npos); // HTML contains these words too
             CHECK(less->find_first_of("<&") == std::string::npos);
             CHECK(figure.much > 0);
             CHECK(figure.resolution + figure.least > 0);
@@ -62,7 +62,7 @@ TEST_CASE("less than half a spacing is no difference, and neither is the same at
     CHECK(compareAttempts(first, figures(2.2, 7.8, 70.5)).differences().empty());
     CHECK_FALSE(compareAttempts(first, figures(2.2, 7.8, 70.5)).morePoints());
     CHECK(compareAttempts(first, figures(2.3, 8, 70)).differences().size() == 1);
-    // The coarser metal decides.
+    // The coarser metal determines the resolution.
     AttemptFigures coarse = figures(2.3, 8, 70);
     coarse.spacing = 1e-3;
     CHECK(compareAttempts(first, coarse).differences().empty());
@@ -76,7 +76,7 @@ TEST_CASE("an undercut that is not there does not differ, however far away it is
     const Comparison made = compareAttempts(first, second);
     REQUIRE(made.differences().size() == 1);
     CHECK(differenceText(made.differences()[0]) == "0.6 mm more undercut on side 1");
-    CHECK(made.pairs.size() == 4); // every figure of both is kept to be shown
+    CHECK(made.pairs.size() == 4); // every figure of both remains available
 }
 
 TEST_CASE("what only one attempt has is not compared", "[training][comparison]") {
@@ -101,7 +101,7 @@ TEST_CASE("figures are those of the judgement, in their units", "[training][comp
     place.judged = true;
     place.values[TechniqueQuantity::travelSpeed] = 6e-3;
     judgement.seam = {place, place};
-    judgement.seam.emplace_back(); // not judged: not in the mean
+    judgement.seam.emplace_back(); // not judged, so not in the mean
     judgement.arc = {2, 400, 9000};
     TechniqueScore score;
     score.scored = true;

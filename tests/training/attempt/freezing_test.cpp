@@ -1,4 +1,4 @@
-// The times at which metal froze belong to a checkpoint, and the surface has them where a picture may show them.
+// Freezing times of metal: checkpoints contain them, and the surface has them for pictures.
 #include "core/training/trainer/lesson_scene.hpp"
 #include "shaders/shared/surface.h"
 #include "tests/support/catch.hpp"
@@ -12,7 +12,7 @@ using namespace meltpool;
 
 namespace {
 
-/// The latest time at which metal at the surface froze, s; 0 where none has.
+/// Returns the latest freezing time at the surface, s; 0 if no metal has frozen.
 float latestFreezing(LessonScene& scene) {
     scene.updateSurface(nullptr);
     const gl::Buffer* freezing = scene.surface().mesh().freezing;
@@ -23,7 +23,7 @@ float latestFreezing(LessonScene& scene) {
     return latest;
 }
 
-/// Steps with the arc on, then without.
+/// Makes steps with the arc on, then without.
 void weldAndCool(Trainer& trainer, size_t welded, size_t end) {
     while (trainer.steps() < end) {
         TorchSample torch = test::checkpointTorch("gmaw", trainer.steps());
@@ -47,7 +47,7 @@ TEST_CASE("metal that froze before a checkpoint has its time again after it, in 
     const float after = latestFreezing(scene);
     CHECK(after > before);
     trainer.restore(checkpoint);
-    CHECK(latestFreezing(scene) == Approx(before).margin(0.01)); // corners weigh times within what counts as no change
+    CHECK(latestFreezing(scene) == Approx(before).margin(0.01)); // weights are updated within a tolerance
     Trainer fresh(test::shaders(), test::checkpointLesson("gmaw"));
     LessonScene freshScene(test::shaders(), fresh);
     fresh.restore(checkpoint);

@@ -1,5 +1,5 @@
-// The moments that an attempt can go back to: they are those that a saved state would be, the way back can be gone ten
-// times, and memory keeps to its limit.
+// The checkpoints that an attempt can return to: they equal saved states, ten returns to one are possible, and memory
+// respects its limit.
 #include "core/training/attempt/kept_moments.hpp"
 
 #include "tests/support/catch.hpp"
@@ -19,7 +19,7 @@ void begin(KeptMoments& moments, const Trainer& trainer) {
     moments.begun(trainer.time(), trainer.technique() ? trainer.technique()->steps().size() : 0);
 }
 
-/// Waits until a moment that is under way is kept.
+/// Waits until a pending checkpoint is stored.
 void settle(KeptMoments& moments, size_t count) {
     for (int i = 0; i < 6000 && moments.count() < count; ++i) {
         moments.update();
@@ -29,7 +29,7 @@ void settle(KeptMoments& moments, size_t count) {
     REQUIRE(moments.fault().empty());
 }
 
-/// Welds on, a moment every ten steps; answers the saved states of the same steps.
+/// Welds on with a checkpoint every ten steps; returns the saved states of these steps.
 std::map<size_t, Checkpoint> weld(KeptMoments& moments, Trainer& trainer, size_t step) {
     std::map<size_t, Checkpoint> saved;
     while (trainer.steps() < step) {
@@ -108,7 +108,7 @@ TEST_CASE("where memory reaches its limit, old moments become fewer and the firs
         saved[steps] = trainer.save();
         begin(moments, trainer);
         const auto wanted = static_cast<double>(steps) * step + 1e-6;
-        for (int i = 0; i < 6000; ++i) { // its end shows in what is kept
+        for (int i = 0; i < 6000; ++i) { // waits until the new checkpoint is the newest
             moments.update();
             const auto newest = moments.before(wanted);
             if (newest && newest->step == steps) break;
@@ -118,7 +118,7 @@ TEST_CASE("where memory reaches its limit, old moments become fewer and the firs
     CHECK(moments.count() < 12);
     CHECK(moments.before(10.5 * step)->step == 10);
     CHECK(moments.before(1000)->step == 160);
-    for (const auto& [steps, checkpoint] : saved) { // whatever is kept is whole
+    for (const auto& [steps, checkpoint] : saved) { // every stored checkpoint is whole
         const auto kept = moments.before((static_cast<double>(steps) + 0.5) * step);
         REQUIRE(kept);
         CHECK(kept->hash == saved.at(kept->step).hash);

@@ -1,4 +1,4 @@
-// Packed checkpoints: every bit comes back, what did not change costs next to nothing, and damage is found.
+// Packed checkpoints: every bit is restored, unchanged data cost almost nothing, and damage is found.
 #include "core/training/attempt/packing.hpp"
 
 #include "core/base/error.hpp"
@@ -19,7 +19,7 @@ std::vector<std::byte> noise(size_t bytes, unsigned seed) {
     return made;
 }
 
-/// Parts of these sizes, every second one a list; all noise.
+/// Returns a checkpoint of random parts with these sizes, every second one a list.
 Checkpoint madeOf(const std::vector<size_t>& sizes, unsigned seed) {
     Checkpoint made;
     made.step = 4711;
@@ -81,7 +81,7 @@ TEST_CASE("metal that did not change since the reference costs next to nothing",
     const Checkpoint reference = madeOf({size_t(1) << 20, size_t(1) << 20}, 1);
     Checkpoint checkpoint = reference;
     CHECK(pack(checkpoint, reference).size() < 1000);
-    for (size_t i = 0; i < checkpoint.bytes.size(); i += 16) // low bytes of a number in four
+    for (size_t i = 0; i < checkpoint.bytes.size(); i += 16) // low byte of every fourth number
         checkpoint.bytes[i] ^= std::byte{1};
     seal(checkpoint);
     CHECK(pack(checkpoint, reference).size() < checkpoint.bytes.size() / 20);

@@ -1,4 +1,4 @@
-// Moments of the whole metal in a recording: from each of them the attempt goes on to the bits that it had.
+// Checkpoints of the whole metal in a recording: from each of them the attempt continues to its own bits.
 #include "core/training/attempt/recorded_moments.hpp"
 
 #include "core/training/attempt/kept_moments.hpp"
@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Welds to this step; every ten steps a moment, which is kept before the weld goes on.
+/// Welds to this step; every ten steps a checkpoint is stored before the weld continues.
 void weld(KeptMoments& moments, Trainer& trainer, const std::string& process, size_t step) {
     while (trainer.steps() < step) {
         test::runTo(trainer, process, trainer.steps() + 1);
@@ -33,7 +33,7 @@ void weld(KeptMoments& moments, Trainer& trainer, const std::string& process, si
     }
 }
 
-/// An attempt of 80 steps whose voltage is changed and that goes back once, with a moment every ten steps.
+/// Records an attempt of 80 steps with a change of voltage and one return, and a checkpoint every ten steps.
 fs::path recordedAttempt(const std::string& process) {
     const fs::path file = test::scratchFolder("recorded-moments-" + process) / "a.meltrec";
     Trainer trainer(test::shaders(), test::checkpointLesson(process));

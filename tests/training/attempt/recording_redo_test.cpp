@@ -1,4 +1,4 @@
-// Recordings of attempts that went back: they are read as what came of them, with every moment that still holds.
+// Recordings of attempts that went back: read as their final course, with every checkpoint that is still valid.
 #include "core/base/error.hpp"
 #include "core/training/attempt/checkpoint_pace.hpp"
 #include "core/training/attempt/recording_csv.hpp"
@@ -24,14 +24,14 @@ fs::path written(const std::string& bytes, const std::string& name = "a.meltrec"
     return folder / name;
 }
 
-/// Of the second end: its torch is elsewhere.
+/// Returns a step of the second branch, with another torch position.
 RecordingStep otherStep(int i) {
     RecordingStep step = test::recordedStep(i);
     step.torch.tip.z = 0.05f;
     return step;
 }
 
-/// Ten steps, back to the fifth, and on to the eighth.
+/// Returns ten steps, a return to the fifth, and steps to the eighth.
 test::RecordingBytes wentBack() {
     test::RecordingBytes recording;
     recording.head(test::recordedHead("classic")).note(FrameKind::event, 0, "zoom", "2");
@@ -49,7 +49,7 @@ test::RecordingBytes wentBack() {
         recording.add(FrameKind::person, {content.data(), content.size()});
     }
     recording.note(FrameKind::event, 5, "redo", "5").note(FrameKind::change, 5, "solidify_rate", "0.5");
-    recording.checkpoint({7, 0}, "late"); // made before, and written after
+    recording.checkpoint({7, 0}, "late"); // made before the return, written after it
     for (int i = 6; i <= 8; ++i)
         recording.step(otherStep(i));
     return recording.checkpoint({7, 1}, "seven").checkpoint({5, 0}, "five");
@@ -88,7 +88,7 @@ TEST_CASE("of an attempt that went back its recording is read as what came of it
     CHECK(recording.changes[1].steps == 5);
     REQUIRE(recording.events.size() == 3); // zoom, cues, redo
     CHECK(recording.events[1].name == "cues");
-    CHECK(recording.events[1].steps == 5); // they are still shown
+    CHECK(recording.events[1].steps == 5); // cues remain visible
     REQUIRE(recording.checkpoints.size() == 3);
     CHECK(textOf(recording, recording.checkpoints[0]) == "four");
     CHECK(textOf(recording, recording.checkpoints[1]) == "five");
@@ -101,7 +101,7 @@ TEST_CASE("of an attempt that went back its recording is read as what came of it
     CHECK(std::count_if(attempt->notes.begin(), attempt->notes.end(),
                         [](const RecordedEvent& note) { return note.name == "redo"; }) == 1);
     CHECK(torchPathOf(recording).duration() == test::recordedStep(8).torch.time);
-    // The table is a record of the same.
+    // The table is an equal record.
     const auto table = readRecordedAttempt(written(recordingCsv(recording), "table.csv"));
     REQUIRE(table);
     CHECK(table->redone == 1);
@@ -164,10 +164,10 @@ TEST_CASE("a recording takes the moments that come, as far as 60 megabytes a min
         largeTaken += large.take(second + 0.02, kLarge) ? 1 : 0;
     }
     CHECK(smallTaken == 61);
-    CHECK(largeTaken == 7); // the first, then one each 10 s, the first of them sooner
-    // Back to 30 s: what was taken behind that is given up, and the next one is taken where there is room.
+    CHECK(largeTaken == 7); // the first, then one each 10 s, the second one sooner
+    // After a return to 30 s later checkpoints are abandoned, and the next one is taken where there is room.
     CHECK(small.take(31.02, kSmall));
-    CHECK_FALSE(small.take(31.22, kSmall)); // nearer than any lie
+    CHECK_FALSE(small.take(31.22, kSmall)); // closer than any two checkpoints
     CHECK(small.take(31.42, kSmall));
     CHECK_FALSE(large.take(31.02, kLarge));
 }

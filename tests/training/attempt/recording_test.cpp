@@ -1,4 +1,4 @@
-// The file of a recording: it reads back to the bit, damage is found where it is, and what is cut opens.
+// The file of a recording: it reads back to the bit, damage is located, and a cut file opens.
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "core/training/attempt/recording_csv.hpp"
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 fs::path written(const std::string& bytes, const std::string& name = "a.meltrec") {
     static const fs::path folder = test::scratchFolder("recording");
-    std::ofstream(folder / name, std::ios::binary | std::ios::trunc) << bytes; // not to the disk: there are many
+    std::ofstream(folder / name, std::ios::binary | std::ios::trunc) << bytes; // not synced to the disk: there are many
     return folder / name;
 }
 
@@ -36,7 +36,7 @@ std::string sentenceOf(Work work) {
 }
 
 void checkStep(const RecordingStep& got, const RecordingStep& wanted) {
-    // The same bytes are the same bits, infinite numbers too.
+    // Equal bytes mean equal bits, infinite numbers included.
     CHECK(stepContent(got) == stepContent(wanted));
     CHECK(got.torch.rod.has_value() == wanted.torch.rod.has_value());
     CHECK(got.torch.tip == wanted.torch.tip);
@@ -44,7 +44,7 @@ void checkStep(const RecordingStep& got, const RecordingStep& wanted) {
     CHECK(got.arc.rodInPool == wanted.arc.rodInPool);
 }
 
-/// Where each frame begins, and the file's end.
+/// Returns the begin of each frame, and the file's end.
 std::vector<size_t> frameStarts(const std::string& bytes) {
     std::vector<size_t> starts{kRecordingSignature.size()};
     while (starts.back() < bytes.size()) {
@@ -78,7 +78,7 @@ TEST_CASE("a recording reads back to the same bits", "[training]") {
     CHECK(recording.end->score == 83.5);
     CHECK(recording.end->verdict == "accepted");
     CHECK(recording.end->leastRealTime == 1.0 / 3);
-    // The path gives each row's own bits at the row's own time.
+    // The path gives each row's own bits at the row's time.
     const TorchPath path = torchPathOf(recording);
     for (const RecordingStep& step : recording.steps) {
         const TorchSample sample = path.sample(step.torch.time);
@@ -117,7 +117,7 @@ TEST_CASE("the table of a recording is a record of the same attempt", "[training
     REQUIRE(fromRecording->changes.size() == 1);
     CHECK(fromTable->changes[0].steps == fromRecording->changes[0].steps);
     CHECK(fromTable->changes[0].value == fromRecording->changes[0].value);
-    REQUIRE(fromRecording->events.size() == 1); // zoom spoils no score
+    REQUIRE(fromRecording->events.size() == 1); // a zoom does not affect the score
     CHECK(fromTable->events.size() == 1);
     CHECK(fromRecording->events[0].steps == 2);
 }
@@ -128,7 +128,7 @@ TEST_CASE("a bit that is flipped anywhere is found in its own frame", "[training
     size_t frame = 0;
     for (size_t at = 0; at < whole.size(); ++at) {
         while (frame < starts.size() && at >= starts[frame])
-            ++frame; // number of the frame that holds this byte, from 1; 0: the signature
+            ++frame; // number of the frame that contains this byte, from 1; 0 is the signature
         for (int bit = 0; bit < 8; ++bit) {
             std::string bytes = whole;
             bytes[at] = static_cast<char>(bytes[at] ^ (1 << bit));
@@ -230,7 +230,7 @@ TEST_CASE("checkpoints are found and read from their place", "[training]") {
     test::RecordingBytes recording;
     const std::string state("\1\2\3\0\5", 5);
     recording.head(test::recordedHead("classic")).step(test::recordedStep(1));
-    recording.checkpoint({1, 0}, state).checkpoint({2, 0}, state); // step 2 did not come into the file any more
+    recording.checkpoint({1, 0}, state).checkpoint({2, 0}, state); // step 2 is missing from the file
     const fs::path file = written(recording.bytes());
     const Recording read = readRecording(file);
     REQUIRE(read.checkpoints.size() == 1);

@@ -1,5 +1,5 @@
-// Writing a recording while an attempt runs: everything comes in order, full disks and removed folders are told, and
-// what was written is whole.
+// Writer of a recording during an attempt: all frames in order, messages about full disks and removed folders, and a
+// whole file.
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "core/training/attempt/content.hpp"
@@ -40,14 +40,14 @@ void addSteps(RecordingWriter& writer, int from, int to) {
         writer.step(test::recordedStep(i));
 }
 
-/// The whole attempt that the other tests write.
+/// Writes the complete attempt of the other tests.
 void writeAttempt(RecordingWriter& writer, int steps) {
     addSteps(writer, 1, steps);
     writer.end(test::recordedEnd(steps));
     writer.wait();
 }
 
-/// How `work` ends in a process of its own whose files grow to so many bytes at most.
+/// Returns how `work` ends in its own process whose files grow to `bytes` bytes at most.
 int endWithin(std::uint64_t bytes, const std::function<int()>& work) {
     const pid_t child = fork();
     if (child == 0) {
@@ -79,7 +79,7 @@ TEST_CASE("frames leave the ring as they came, around its end too", "[training]"
         CHECK(kind == i + 1000);
         CHECK(content.empty());
     }
-    CHECK_FALSE(ring.put(1, {std::string(57, 'x')})); // with its head one byte too many
+    CHECK_FALSE(ring.put(1, {std::string(57, 'x')})); // one byte too many with its head
     CHECK(ring.put(1, {std::string(56, 'x')}));
     CHECK_FALSE(ring.put(2, {}));
 }
@@ -108,12 +108,13 @@ TEST_CASE("two threads share a ring", "[training]") {
 TEST_CASE("what is written while an attempt runs is what was brought", "[training]") {
     const fs::path file = newFile();
     RecordingWriter writer(file, test::recordedHead("classic"));
-    CHECK_THROWS_AS(RecordingWriter(file, test::recordedHead("classic")), InputError); // no file is replaced
+    CHECK_THROWS_AS(RecordingWriter(file, test::recordedHead("classic")),
+                    InputError); // an existing file is not replaced
     RecordingPerson person;
     person.head = RecordingPose{{0, 0.4f, 0.5f}, {1, 0, 0, 0}};
     person.zoom = 2;
     writer.person(person);
-    writer.person(person); // the same again
+    writer.person(person); // an equal pose again
     writer.event(0, "zoom", "2");
     addSteps(writer, 1, 200);
     writer.change(200, "voltage", "22");
@@ -182,7 +183,7 @@ TEST_CASE("a disk that fills at any moment is told, and what was written is whol
         });
         CHECK(code == 42);
         const Recording recording = readRecording(file);
-        CHECK_FALSE(recording.fault); // cut to whole frames
+        CHECK_FALSE(recording.fault); // cut at a frame's end
         CHECK_FALSE(recording.end);
         CHECK(fs::file_size(file) <= limit);
         CHECK(fs::file_size(file) + kFrameBytes + kStepBytes + 300 > limit);
@@ -190,7 +191,7 @@ TEST_CASE("a disk that fills at any moment is told, and what was written is whol
         if (limit == whole - 1) CHECK(recording.steps.size() == kSteps);
     }
     fs::remove(file);
-    const int code = endWithin(100, [&] { // not even the head
+    const int code = endWithin(100, [&] { // too small for the head
         try {
             RecordingWriter writer(file, test::recordedHead("classic"));
         } catch (const RuntimeFault&) {
@@ -203,13 +204,13 @@ TEST_CASE("a disk that fills at any moment is told, and what was written is whol
 
 namespace {
 
-/// What a welding process tells in memory that outlives it.
+/// State that a welding process reports in memory that outlives it.
 struct Told {
     std::atomic<bool> begun{false};
-    std::atomic<double> seconds{0}; ///< of the last step that it brought
+    std::atomic<double> seconds{0}; ///< time of the last step passed to the writer
 };
 
-/// Brings steps by the clock until it is killed.
+/// Passes steps to the writer by the clock until the process is killed.
 [[noreturn]] void weldUntilKilled(const fs::path& file, Told& told) {
     using Clock = std::chrono::steady_clock;
     RecordingWriter writer(file, test::recordedHead("classic"));
@@ -225,7 +226,7 @@ struct Told {
     }
 }
 
-/// Seconds that are lost where a welding process is killed after `wait`. What is left opens and is sound.
+/// Returns the seconds lost when a welding process is killed after `wait`. The file that is left opens and is sound.
 double lostToKill(const fs::path& file, std::chrono::milliseconds wait, Told& told) {
     fs::remove(file);
     told.begun = false;
@@ -258,7 +259,7 @@ void killWriters(int count, unsigned seed) {
     WARN("killed " << count << " times: " << lost[lost.size() / 2] << " s lost as the median, " << lost.back()
                    << " s at most");
     CHECK(lost[lost.size() / 2] <= 0.2);
-    // A machine without time for the writing thread may lose more, a quiet one not.
+    // A machine without time for the writing thread may lose more, an idle one may not.
     CHECK((lost.back() <= 0.2 || test::shareOfProcessor() < 0.9));
 }
 

@@ -1,5 +1,5 @@
-// What-ifs on real metal: nothing changed is the same weld, and slower, more current, a longer arc change it as they
-// do.
+// What-ifs on real metal: no change gives an equal weld, and lower speed, more current and a longer arc have their real
+// effects.
 #include "core/training/attempt/differences.hpp"
 #include "core/training/lesson/changed_path.hpp"
 #include "core/training/trainer/trainer.hpp"
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kSeconds = 2.6;
 
-/// A TIG track of 9 mm on a small plate: 0.6 s for the pool, then 5 mm/s.
+/// Returns a TIG track of 9 mm on a small plate: 0.6 s for the pool, then 5 mm/s.
 Lesson smallTrack() {
     Lesson lesson = findLesson("gtaw-bead", test::testFolder().parent_path() / "app" / "data" / "lessons");
     lesson.workpiece.lengthMm = 24;
@@ -58,7 +58,7 @@ Welded weld(const Lesson& lesson, const ChangedPath* path, std::vector<AttemptSt
     return welded;
 }
 
-/// The weld of an attempt with this asked for.
+/// Welds an attempt with this wish.
 Welded weldIf(const Lesson& lesson, const std::vector<AttemptStep>& steps, const std::string& wish) {
     const WhatIf whatIf = readWhatIf(std::vector{wish}, lesson);
     Lesson other = lesson;

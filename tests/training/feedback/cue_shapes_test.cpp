@@ -1,4 +1,4 @@
-// Cues as they are drawn: never over the pool for any eye, in sight beside the workpiece, pointing the way they mean.
+// Cues as drawn shapes: never over the pool for any eye, visible next to the workpiece, with the right direction.
 #include "core/training/feedback/cue_shapes.hpp"
 
 #include "core/render/picture_target.hpp"
@@ -21,7 +21,7 @@ using namespace meltpool;
 
 namespace {
 
-/// Every cue, far off in the direction of `sign`.
+/// Returns every cue, far off in the direction of `sign`.
 CueList allCues(double sign, double share = 1.4) {
     CueList cues;
     for (const CuedQuantity& cued : cuedQuantities()) {
@@ -50,13 +50,13 @@ WorkpieceParameters workpieceOf(WorkpieceKind kind) {
     return workpiece;
 }
 
-/// An eye over the welder's side of the seam; degrees as of a lesson's camera.
+/// Returns an eye over the welder's side of the seam; degrees as in a lesson's camera.
 CueEye eyeAt(const glm::vec3& pool, float azimuth, float elevation, float distance) {
     const float a = glm::radians(azimuth), e = glm::radians(elevation);
     return {pool + distance * glm::vec3(std::cos(e) * std::sin(a), std::sin(e), std::cos(e) * std::cos(a)), {0, 1, 0}};
 }
 
-/// Points all over a marker's box, which its shape fits into.
+/// Returns points all over a marker's box, which encloses its shape.
 std::vector<glm::vec3> pointsOf(const Marker& marker) {
     std::vector<glm::vec3> points;
     for (const float x : {-0.5F, 0.0F, 0.5F})
@@ -68,7 +68,7 @@ std::vector<glm::vec3> pointsOf(const Marker& marker) {
 
 struct Stage {
     explicit Stage(WorkpieceKind kind) : workpiece(workpieceOf(kind)), seam(seamOf(workpiece)) {
-        pose.place = seam.begin() + (seam.closed() ? 0.1 : 0.4) * seam.length(); // on a pipe near its top
+        pose.place = seam.begin() + (seam.closed() ? 0.1 : 0.4) * seam.length(); // near the top of a pipe
         pose.aim = 0.5e-3;
         pose.axis = -glm::vec3(seam.at(pose.place).up);
         pose.direction = 1;
@@ -106,7 +106,7 @@ TEST_CASE("no marker hides a part of the pool's disc from a camera or from eithe
                                                           stage.blocks, glm::mat4(1));
                         drawn += markers.size();
                         CHECK(markers.size() >= 15);
-                        // Eyes 64 mm apart, seen from 0.25 m at least.
+                        // The eyes are 64 mm apart, at least 0.25 m away.
                         const glm::vec3 apart =
                             glm::normalize(glm::cross(eye.up, eye.position - stage.pool)) * (0.128F * distance);
                         int covering = 0;
@@ -127,8 +127,8 @@ TEST_CASE("the test of covering tells what lies between the eye and the disc", "
     const glm::vec3 eye(0, 0.1F, 0.1F), centre(0), up(0, 1, 0);
     CHECK(coversDisc(eye, {0, 0.05F, 0.05F}, centre, up, 8e-3F));
     CHECK(coversDisc(eye, {0.003F, 0.05F, 0.05F}, centre, up, 8e-3F));
-    CHECK_FALSE(coversDisc(eye, {0.006F, 0.05F, 0.05F}, centre, up, 8e-3F)); // 12 mm beside it on the plate
-    CHECK_FALSE(coversDisc(eye, {0, -0.05F, -0.05F}, centre, up, 8e-3F));    // behind it
+    CHECK_FALSE(coversDisc(eye, {0.006F, 0.05F, 0.05F}, centre, up, 8e-3F)); // 12 mm from it on the plate
+    CHECK_FALSE(coversDisc(eye, {0, -0.05F, -0.05F}, centre, up, 8e-3F));    // behind the disc
     CHECK_FALSE(coversDisc(eye, {0, 0.2F, 0.2F}, centre, up, 8e-3F));        // behind the eye
 }
 
@@ -158,15 +158,15 @@ TEST_CASE("where the picture ends beside the torch the board stands on the other
     const Stage stage(WorkpieceKind::Plate);
     CueEye eye = eyeAt(stage.pool, 0, 40, 0.1F);
     const auto middleOf = [&](float turn) {
-        // The camera looks past the pool, by so much to the side.
+        // The camera looks `turn` to the side of the pool.
         const glm::mat4 look = glm::lookAt(eye.position, stage.pool + glm::vec3(turn, 0, 0), eye.up);
         eye.toClip = glm::perspective(0.6F, 1.5F, 0.01F, 10.0F) * look;
         const auto markers = shapes.build(allCues(1, 0), stage.seam, stage.pose, eye, stage.blocks, glm::mat4(1));
-        return (glm::vec3(markers.back().toWorld[3]) - stage.pool).x; // of the arc's sign, over the board
+        return (glm::vec3(markers.back().toWorld[3]) - stage.pool).x; // place of the arc's sign, over the board
     };
-    CHECK(middleOf(0) > 5e-3F); // ahead
+    CHECK(middleOf(0) > 5e-3F); // in the travel direction
     CHECK(middleOf(-0.035F) < -5e-3F);
-    CHECK(middleOf(-0.02F) < -5e-3F); // still as good
+    CHECK(middleOf(-0.02F) < -5e-3F); // still good on that side
 }
 
 TEST_CASE("marks move the way that the hand has gone, whichever way the picture is taken", "[training]") {
@@ -222,7 +222,7 @@ TEST_CASE("the seam's dashes lie on the line that the lesson wants aimed at", "[
 
 namespace {
 
-/// A plate with a torch over it, in a world of 25 units to the metre.
+/// A plate under a torch, in a world of 25 units to the metre.
 struct Scene {
     Scene() {
         torch.tip = stage.pool + glm::vec3(0, 2e-3F, 0);
@@ -258,7 +258,7 @@ struct Differences {
     int inDisc = 0, pixelsOfDisc = 0, outside = 0;
 };
 
-/// Compares one view's column of two pictures; discs and rays in the world.
+/// Compares one view's column of two pictures; discs and rays are in world units.
 Differences compare(const Image& with, const Image& without, const View& view, int from, int columns,
                     const glm::vec3& pool, const glm::vec3& up, float radius) {
     Differences found;
@@ -291,7 +291,7 @@ TEST_CASE("pictures with and without cues differ outside the pool's disc only, f
     look.showBox = look.showSource = false;
     const bool two = GENERATE(false, true);
     const float azimuth = GENERATE(0.0F, 50.0F);
-    const float shade = GENERATE(0.0F, 11.0F); // cues are seen through the visor too
+    const float shade = GENERATE(0.0F, 11.0F); // cues are visible through the visor too
     INFO((two ? "two eyes" : "a camera") << ", azimuth " << azimuth << ", shade " << shade);
     look.visorShade = shade;
     const CueEye eye = eyeAt(scene.stage.pool, azimuth, 35, two ? 0.35F : 0.09F);

@@ -1,4 +1,4 @@
-// Cues as figures: which way and how far they point, by the lesson's bands alone; how they fade; what a lesson allows.
+// Cues as figures: direction and distance by the lesson's bands alone, fading, and the lesson's permissions.
 #include "core/training/feedback/cues.hpp"
 
 #include "core/base/error.hpp"
@@ -26,7 +26,7 @@ TechniqueBands bandsOfBead(TravelDirection direction = TravelDirection::either) 
     return bands;
 }
 
-/// A hand that welds from -20 mm on at this speed.
+/// Returns a hand that welds from -20 mm on at this speed.
 Technique weldAt(double speed, Hand hand) {
     return test::weldWith(test::plateSeam(), 2, [=](double time) {
         Hand now = hand;
@@ -104,11 +104,11 @@ TEST_CASE("what is not known has no cue; before the strike the demanded directio
     CHECK(demanded.find(TechniqueQuantity::travelAngle)->offset == Approx(10).margin(0.01));
     CHECK(cueDirection(technique, &backward) == -1);
     CHECK(liveCues(Technique(test::plateSeam()), {}, &backward, CueSet::all(), {}).empty());
-    // Without bands there is nothing to compare with, but a seam ahead.
+    // Without bands there is no reference, but a seam ahead.
     const CueList none = liveCues(technique, {}, nullptr, CueSet::all(), {});
     REQUIRE(none.all().size() == 1);
     CHECK(none.find(CueKind::seam) != nullptr);
-    // The centre line of a weave is known after the swing only.
+    // The centre line of a weave is known only after the swing.
     TechniqueBands weaving = bandsOfBead();
     weaving.bands.push_back({TechniqueQuantity::weaveWidth, 6, 1, 3});
     CHECK(cuesOf(technique, weaving).find(TechniqueQuantity::aim) == nullptr);

@@ -1,4 +1,4 @@
-// The ghost as it is drawn: its words leave the pool free, face the eye and stay in the picture.
+// The ghost as drawn: its words leave the pool free, face the eye and stay in the picture.
 #include "core/training/feedback/ghost_shapes.hpp"
 
 #include "core/scene/ghost_model.hpp"
@@ -45,7 +45,7 @@ struct Stage {
     GhostWords words{{2e-3, -0.2, 0.1, 0}, GhostPace::place};
 };
 
-/// Parts of the torch come first, words behind them.
+/// Returns the number of torch parts, which precede the words.
 size_t partsOfTorch(std::span<const Marker> markers) {
     size_t count = 0;
     while (count < markers.size() && markers[count].face < 1)
@@ -95,7 +95,7 @@ TEST_CASE("the words stand where the torch came from, and on the other side wher
         eye.toClip = glm::perspective(0.7F, 1.5F, 0.01F, 10.0F) * look;
         const auto markers =
             shapes.build(stage.moment, stage.words, stage.gmaw, stage.seam, {1, 1, stage.hand}, eye, glm::mat4(1));
-        return (glm::vec3(markers[partsOfTorch(markers)].toWorld[3]) - stage.pool).x; // of the ground
+        return (glm::vec3(markers[partsOfTorch(markers)].toWorld[3]) - stage.pool).x; // place of the words' background
     };
     CHECK(middleOf(0) < -5e-3F);
     CHECK(middleOf(0.06F) > 5e-3F);
@@ -128,7 +128,7 @@ TEST_CASE("a covered electrode of a ghost ends over the seam however much of it 
     ProcessSettings smaw;
     smaw.choose<Smaw>();
     for (const float below : {-2e-3F, 0.0F, 0.1F}) {
-        stage.moment.torch.tip.y = -below; // where the end of a whole electrode would be
+        stage.moment.torch.tip.y = -below; // tip of a whole electrode
         stage.moment.height = -static_cast<double>(below);
         float lowest = 1;
         for (const Marker& part : shapes.build(stage.moment, {}, smaw, stage.seam, {1, 1, stage.hand},

@@ -1,4 +1,4 @@
-// The ghost as figures: where a path stood at a place or a time, and how far a hand is off it, exactly.
+// The ghost as figures: a path's pose at a place or time, and the exact distance of a hand from it.
 #include "core/training/feedback/ghost.hpp"
 
 #include "core/base/text.hpp"
@@ -22,7 +22,7 @@ namespace {
 
 constexpr double kPeriod = 0.02; // s between rows of a path
 
-/// A recorded path of `seconds`, with the trigger pulled where the hand's arc burns.
+/// Returns a recorded path of `seconds`, with the trigger pulled where the hand's arc burns.
 TorchPath pathOf(const Seam& seam, double seconds, const std::function<Hand(double)>& hand) {
     std::vector<TorchSample> samples;
     for (int i = 0; i <= static_cast<int>(std::lround(seconds / kPeriod)); ++i) {
@@ -33,7 +33,7 @@ TorchPath pathOf(const Seam& seam, double seconds, const std::function<Hand(doub
     return TorchPath(std::move(samples));
 }
 
-/// Rests a second at -30 mm, then welds for 10 s at 4 mm/s, to +10 mm, and rests again.
+/// Returns a hand that rests a second at -30 mm, then welds for 10 s at 4 mm/s, to +10 mm, and rests again.
 Hand expert(double time) {
     Hand hand;
     hand.workDeg = 10;
@@ -66,10 +66,11 @@ TEST_CASE("by place the ghost stands exactly where its path came by there, at it
         CHECK(glm::distance(moment->torch.tip, exact.tip) < 2e-6F);
         CHECK(glm::dot(moment->torch.axis(), exact.axis()) > 0.999999F);
         CHECK(glm::degrees(moment->workAngle) == Approx(10).margin(0.01));
-        CHECK(glm::degrees(moment->travelAngle) == Approx(-15).margin(0.3)); // leans before it projects
+        CHECK(glm::degrees(moment->travelAngle) ==
+              Approx(-15).margin(0.3)); // the lean is applied before the projection
         if (mm > -28) CHECK(moment->speed * 1e3 == Approx(4).margin(0.01));
     }
-    // Beyond the ends there is none.
+    // Beyond the ends there is no ghost.
     CHECK_FALSE(ghost.atPlace(-30.5e-3));
     CHECK_FALSE(ghost.atPlace(10.5e-3));
     CHECK_FALSE(ghost.atPlace(std::nan("")));
@@ -94,7 +95,7 @@ TEST_CASE("the delta is the hand's less the ghost's, and told in words", "[train
     Hand hand;
     hand.workDeg = 4;
     hand.travelDeg = 0;
-    // At another speed: 6 mm/s, now at 0 mm.
+    // Another speed: 6 mm/s, now at 0 mm.
     const Technique technique = test::weldWith(seam, 2, [=](double time) {
         Hand now = hand;
         now.placeMm = -12 + 6 * time;
@@ -120,7 +121,7 @@ TEST_CASE("the delta is the hand's less the ghost's, and told in words", "[train
     REQUIRE(timed.lines() == 4);
     CHECK(timed.line(3) == "10 mm ahead");
 
-    // What is not known has no line: the travel angle before the direction is.
+    // Unknown values have no line, such as the travel angle before the direction is known.
     CHECK(std::isnan(ghostDelta(technique, 0, *there, ghost).travelAngle));
     CHECK(GhostWords(ghostDelta(technique, 0, *there, ghost), GhostPace::place).lines() == 2);
     CHECK(GhostWords({0.00004, 0.008, -0.008, 0.0004}, GhostPace::time).lines() == 0);
@@ -149,7 +150,8 @@ TEST_CASE("a path that travels backwards is met the other way round", "[training
 
 TEST_CASE("strokes back are left out, and where the ghost went on without an arc there is none", "[training]") {
     const Seam seam = test::plateSeam();
-    // Whips: 1 s forward at 6 mm/s, 0.5 s back at 4 mm/s. After 6 s it goes on by 10 mm with the trigger released.
+    // The path whips: 1 s forward at 6 mm/s, 0.5 s back at 4 mm/s. After 6 s it continues by 10 mm with the trigger
+    // released.
     const GhostPath whip(pathOf(seam, 12,
                                 [](double time) {
                                     Hand hand;
@@ -171,7 +173,7 @@ TEST_CASE("strokes back are left out, and where the ghost went on without an arc
         CHECK(moment->torch.time >= last);
         last = moment->torch.time;
     }
-    CHECK_FALSE(whip.atPlace(-8e-3)); // it flew over this place
+    CHECK_FALSE(whip.atPlace(-8e-3)); // the torch passed this place without an arc
     CHECK(whip.atPlace(2e-3));
 }
 
@@ -180,7 +182,7 @@ TEST_CASE("around a pipe a ghost is met at its place, whichever turn the hand co
     pipe.kind = static_cast<int>(WorkpieceKind::Pipe);
     const Seam seam = seamOf(pipe);
     const double turn = seam.length() * 1e3; // mm
-    // From a tenth of a turn before the top to a tenth behind it.
+    // The path goes from a tenth of a turn before the top to a tenth behind it.
     const GhostPath ghost(pathOf(seam, 10,
                                  [=](double time) {
                                      Hand hand;
@@ -224,7 +226,7 @@ TEST_CASE("help that shows all at once fades with what is mastered least of what
     skill.setGood(TechniqueQuantity::workAngle, 1);
     CHECK(skill.strength(&bands) == 0.75);
     skill.setGood(TechniqueQuantity::workAngle, CueSkill::kMastered);
-    CHECK(skill.strength(&bands) == 0); // the aim, which the lesson does not judge, changes nothing
+    CHECK(skill.strength(&bands) == 0); // the lesson does not judge the aim, so it has no effect
     CHECK(skill.strength(static_cast<const TechniqueBands*>(nullptr)) == 1);
 }
 

@@ -1,4 +1,4 @@
-// What the hand feels, as a function of the tip's state.
+// Haptic feedback as a function of the tip's state.
 #include "core/training/feedback/haptics.hpp"
 #include "core/training/feedback/sound/short_circuits.hpp"
 #include "tests/support/catch.hpp"
@@ -26,7 +26,7 @@ TipFeel touched(float speed, float liquid = 0) {
     return tip;
 }
 
-/// How often the pulse goes on or off within a second.
+/// Returns how often the pulse goes on or off within a second.
 int changesInSecond(TipFeel tip) {
     int changes = 0;
     bool on = true;
@@ -68,7 +68,7 @@ TEST_CASE("the hum grows with power and sinks with a long arc and over a pool") 
 TEST_CASE("an arc about to break stutters nine times a second, an electrode in the pool twenty times") {
     TipFeel tip = burning(1, 1);
     tip.arc.action = ArcAction::breaking;
-    CHECK(changesInSecond(tip) == 17); // nine halves on, nine off, starting with on and ending with off
+    CHECK(changesInSecond(tip) == 17); // nine half periods on and nine off, first on and last off
     tip.arc.action = ArcAction::shorting;
     CHECK(changesInSecond(tip) == 39);
 }
@@ -84,7 +84,7 @@ TEST_CASE("a wire that shorts stutters with its short circuits, a pulse for each
         for (int i = 0; i < 2000; ++i) {
             shorts.step(tip.arc, 0.001);
             tip.shorts = shorts.phase();
-            tip.time = 0; // the clock has no part in it
+            tip.time = 0; // independent of the clock
             pulses += !feel(tip).silent() && !on ? 1 : 0;
             on = !feel(tip).silent();
         }

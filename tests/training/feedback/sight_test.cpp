@@ -1,4 +1,4 @@
-// What is seen of the arc is what is heard of it: a burst of spatter for each short circuit.
+// Agreement of the visible and the audible arc: a burst of spatter for each short circuit.
 #include "core/training/feedback/sight.hpp"
 #include "tests/support/catch.hpp"
 
@@ -74,7 +74,7 @@ TEST_CASE("after a seek the spatter that is born is the same", "[effects]") {
         }
     }
     CHECK(whole.effects().spatter().born() - born == sought.effects().spatter().born());
-    // Without ground all of them end by cooling: those of the last second are all that is in flight.
+    // Without ground all drops end by cooling: those of the last second are all in flight.
     const ArcEffectsView a = whole.view(), b = sought.view();
     std::vector<Spark> first(a.sparks.begin(), a.sparks.end()), second(b.sparks.begin(), b.sparks.end());
     REQUIRE(first.size() == second.size());

@@ -1,5 +1,5 @@
-// The shipped acceptance files hold the standards' numbers, and broken ones are told with file, line and key. Limits in
-// mm and degrees.
+// The shipped acceptance files: they hold the standards' numbers, and faults are reported with file, line and key;
+// limits in mm and degrees.
 #include "core/training/judging/acceptance.hpp"
 
 #include "core/base/error.hpp"
@@ -19,7 +19,7 @@ Acceptance shipped(const std::string& name) {
     return readAcceptance(test::testFolder().parent_path() / "app" / "data" / "acceptance" / (name + ".toml"));
 }
 
-/// The item for an imperfection of a weld of these sizes; the test fails where there is not exactly one.
+/// Returns the item for an imperfection of a weld of these sizes; the test fails unless there is exactly one.
 AcceptanceItem itemOf(const Acceptance& acceptance, const std::string& imperfection, WeldKind kind,
                       const LimitSizes& sizes = {8, 4, 6, 5.6}) {
     std::vector<AcceptanceItem> found;
@@ -50,7 +50,7 @@ TEST_CASE("ISO 5817: limits are the table's formulas", "[acceptance]") {
     struct Row {
         const char* imperfection;
         WeldKind kind;
-        double d, c, b; ///< at b 8, a 4, t 6
+        double d, c, b; ///< limits for b 8, a 4, t 6
     };
     const auto fillet = WeldKind::fillet, butt = WeldKind::butt;
     const std::vector<Row> rows{{"undercut", fillet, 1, 0.5, 0.3},      {"excess_weld_metal", butt, 3, 2.2, 1.8},
@@ -70,7 +70,7 @@ TEST_CASE("ISO 5817: limits are the table's formulas", "[acceptance]") {
     CHECK(limitOf(c, "throat_too_big", fillet) == Approx(1.8));
     CHECK(limitOf(b, "throat_too_big", fillet) == Approx(1.6));
     for (const AcceptanceItem& item : d.items)
-        CHECK(item.imperfection != "throat_too_big"); // D allows it
+        CHECK(item.imperfection != "throat_too_big"); // level D allows it
     CHECK(itemOf(c, "toe_angle", fillet).kind == LimitKind::atLeast);
     CHECK(itemOf(c, "crack", fillet).kind == LimitKind::notPermitted);
     for (const Acceptance* each : {&d, &c, &b}) {
@@ -114,7 +114,7 @@ TEST_CASE("ISO 5817: what only short imperfections may be", "[acceptance]") {
     CHECK(shortLimit(d, "root_concavity", butt) == Approx(1.2));
     CHECK(shortLimit(b, "root_concavity", butt) == Approx(0.3));
     CHECK(shortLimit(d, "throat_too_small", fillet) == Approx(0.7));
-    CHECK(shortLimit(c, "throat_too_small", fillet, {8, 10, 12, 14}) == 1); // its cap
+    CHECK(shortLimit(c, "throat_too_small", fillet, {8, 10, 12, 14}) == 1); // maximum of the allowance
     CHECK_FALSE(itemOf(b, "throat_too_small", fillet).shortOnes);
     const ShortAllowance allowance = *itemOf(c, "throat_too_small", fillet).shortOnes;
     CHECK(allowance.per == 100);

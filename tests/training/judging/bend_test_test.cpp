@@ -1,4 +1,4 @@
-// Bend test and fillet break: openings from stations, by AWS D1.1's lengths, and what the particles do not resolve.
+// Bend test and fillet break: openings from stations, the lengths of AWS D1.1, and unresolved places.
 #include "core/training/judging/bend_test.hpp"
 
 #include "tests/support/catch.hpp"
@@ -11,7 +11,8 @@ namespace {
 
 constexpr double kMm = 1e-3;
 
-/// A butt of stations 2 mm apart, particles of 1 mm: `worse` says what is not fused of its worse edge at a station, mm.
+/// Returns a butt of stations 2 mm apart, particles of 1 mm: `worse` gives the unfused height of the worse edge at a
+/// station, mm.
 WeldMeasures butt(size_t stations, const std::function<double(size_t)>& worse) {
     std::vector<WeldStation> list(stations);
     for (size_t i = 0; i < stations; ++i) {
@@ -45,7 +46,7 @@ const BentStrap& strapOf(const BendTest& test, BendKind kind) {
 TEST_CASE("a fused butt bends over root and face without an opening", "[bend]") {
     const auto test = bendTest(butt(20, [](size_t) { return -1.5; }), 6 * kMm);
     REQUIRE(test);
-    REQUIRE(test->straps.size() == 2); // 40 mm of seam are one strap of 38 mm or more, bent both ways
+    REQUIRE(test->straps.size() == 2); // 40 mm of seam are one strap of at least 38 mm, bent both ways
     CHECK(test->thickness == Approx(6 * kMm));
     CHECK(test->former == Approx(24 * kMm));
     CHECK(test->state == VerdictState::pass);
@@ -58,7 +59,7 @@ TEST_CASE("a fused butt bends over root and face without an opening", "[bend]") 
 }
 
 TEST_CASE("an unfused root opens the root bend as long as it is, and nothing of the face bend", "[bend]") {
-    // Stations 4 and 5 of 20: 4 mm long, 2 mm high.
+    // The opening covers stations 4 and 5 of 20: 4 mm long, 2 mm high.
     const auto test = bendTest(butt(20, [](size_t i) { return i == 4 || i == 5 ? 2.0 : -1.5; }), 6 * kMm);
     REQUIRE(test);
     const BentStrap& root = strapOf(*test, BendKind::root);
@@ -87,7 +88,7 @@ TEST_CASE("openings of up to 3 mm are allowed until they are 10 mm together", "[
     CHECK(six->state == VerdictState::fail);
 
     BendRule counted;
-    counted.counted = 2e-3; // then none of them counts
+    counted.counted = 2e-3; // with this rule none of them counts
     CHECK(bendTest(butt(19, [](size_t i) { return i % 3 == 1 ? 2.0 : -1.5; }), 6 * kMm, counted)->state ==
           VerdictState::pass);
 }
@@ -117,21 +118,21 @@ TEST_CASE("an edge that is unfused up to the upper face, and a hole, open the fa
 }
 
 TEST_CASE("what the particles do not resolve neither passes nor fails a strap", "[bend]") {
-    // 0.3 mm unfused, particles of 1 mm: open or not, nobody can tell. 4 mm of it decide, 2 mm do not.
+    // 0.3 mm are unfused with particles of 1 mm, so the opening is unresolved. 4 mm of it decide, 2 mm do not.
     const auto few = bendTest(butt(20, [](size_t i) { return i == 4 ? 0.3 : -1.5; }), 6 * kMm);
     CHECK_FALSE(strapOf(*few, BendKind::root).openings.at(0).resolved);
     CHECK(few->state == VerdictState::pass);
     const auto more = bendTest(butt(20, [](size_t i) { return i == 4 || i == 5 ? 0.3 : -1.5; }), 6 * kMm);
     CHECK(more->state == VerdictState::notResolved);
     CHECK(strapOf(*more, BendKind::root).longest == 0);
-    // Beside an opening of 2 mm, 2 mm more would make it too long.
+    // Next to an opening of 2 mm, 2 mm more would make it too long.
     const auto beside = bendTest(butt(20, [](size_t i) { return i == 4 ? 2.0 : i == 5 ? 0.3 : -1.5; }), 6 * kMm);
     CHECK(beside->state == VerdictState::notResolved);
     CHECK(strapOf(*beside, BendKind::root).openings.size() == 2);
 }
 
 TEST_CASE("long seams give several straps, each at least 38 mm wide", "[bend]") {
-    const auto test = bendTest(butt(45, [](size_t i) { return i > 40 ? 2.0 : -1.5; }), 6 * kMm); // 90 mm
+    const auto test = bendTest(butt(45, [](size_t i) { return i > 40 ? 2.0 : -1.5; }), 6 * kMm); // seam of 90 mm
     REQUIRE(test->straps.size() == 4);
     CHECK(test->straps[0].state == VerdictState::pass);
     CHECK(test->straps[1].state == VerdictState::fail);
@@ -141,7 +142,7 @@ TEST_CASE("long seams give several straps, each at least 38 mm wide", "[bend]") 
 
 TEST_CASE("plates over 10 mm are bent sideways, where the unfused height is what opens", "[bend]") {
     const auto test = bendTest(butt(20, [](size_t i) { return i == 7 ? 4.0 : -1.5; }), 12 * kMm);
-    REQUIRE(test->straps.size() == 4); // 40 mm, each strap 10 mm
+    REQUIRE(test->straps.size() == 4); // seam of 40 mm, each strap 10 mm
     CHECK(test->thickness == Approx(10 * kMm));
     CHECK(test->former == Approx(40 * kMm));
     CHECK(test->straps[1].kind == BendKind::side);

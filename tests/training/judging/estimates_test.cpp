@@ -1,5 +1,5 @@
-// Estimates of pores, spatter and slag from welds whose technique is known: each fault alone is told, with its length,
-// rule and source; a good hand is told that nothing speaks for them.
+// Estimates of pores, spatter and slag from welds of known technique: each fault alone is reported with its length,
+// rule and source; a good hand gets "unlikely".
 #include "core/training/judging/estimates.hpp"
 
 #include "tests/support/catch.hpp"
@@ -21,7 +21,7 @@ ProcessSettings settingsOf() {
     return settings;
 }
 
-/// 40 mm of a weld at 5 mm/s, the hand and the arc the same everywhere.
+/// Returns 40 mm of a weld at 5 mm/s with constant hand and arc.
 std::vector<SeamMillimetre> weld(double distanceMm, double travelDeg, double volts, double amperes,
                                  double speedMmS = 5) {
     std::vector<SeamMillimetre> seam(40);
@@ -67,7 +67,7 @@ TEST_CASE("a good hand gives no reason to expect pores, spatter or slag, and the
     CHECK_THAT(of(gmaw, "surface_pore").rule, test::containsText("would be expected where the contact tip is over 18"));
     CHECK_THAT(of(gmaw, "surface_pore").rule, test::containsText("scoring table"));
     CHECK(of(gmaw, "spatter").value == 0);
-    CHECK_FALSE(has(gmaw, "slag_inclusion")); // a solid wire under gas has none
+    CHECK_FALSE(has(gmaw, "slag_inclusion")); // a solid wire under gas makes no slag
     const auto gtaw = estimateImperfections(goodGtaw(), settingsOf<Gtaw>(), 2.5 * kMm);
     CHECK(of(gtaw, "surface_pore").value == 0);
     CHECK(gtaw.size() == 1);
@@ -88,9 +88,9 @@ TEST_CASE("pores follow from a torch too far off or too flat, over the length wh
     CHECK(of(estimates, "surface_pore").value == 12);
     CHECK_THAT(of(estimates, "surface_pore").rule, test::containsText("To be expected where the contact tip"));
     CHECK_THAT(of(estimates, "surface_pore").rule, test::containsText("12 mm"));
-    CHECK(of(estimates, "surface_pore").rule.find("pushes") == std::string::npos); // that rule was kept
+    CHECK(of(estimates, "surface_pore").rule.find("pushes") == std::string::npos); // this rule is met
     CHECK(of(estimates, "spatter").value == 0);
-    // Both at once count a millimetre once.
+    // A millimetre with both faults counts once.
     for (size_t i = 20; i < 26; ++i)
         seam[i].values[TechniqueQuantity::travelAngle] = -21 * kDegree;
     estimates = estimateImperfections(seam, settingsOf<Gmaw>());
@@ -104,7 +104,7 @@ TEST_CASE("pores follow from a torch too far off or too flat, over the length wh
 TEST_CASE("spatter follows from voltage and current out of balance, and from a stick's long arc", "[verdict]") {
     for (const double volts : {14.0 + 9 + 6, 14.0 + 9 - 8})
         CHECK(of(estimateImperfections(weld(15, 10, volts, 180), settingsOf<Gmaw>()), "spatter").value == 40);
-    // Published settings of short and open arcs: none is out of balance.
+    // Published settings of short and open arcs are in balance.
     for (const auto& [volts, amperes] :
          {std::pair(17.4, 144.0), {18.4, 166.0}, {16.0, 120.0}, {21.0, 140.0}, {29.0, 270.0}, {31.0, 300.0}})
         CHECK(of(estimateImperfections(weld(15, 10, volts, amperes), settingsOf<Gmaw>()), "spatter").value == 0);
@@ -124,7 +124,7 @@ TEST_CASE("slag follows from a stick that pushes or travels too slowly", "[verdi
     const auto slow = estimateImperfections(weld(3, -15, 24, 115, 1.5), stick, 3.5 * kMm);
     CHECK(of(slow, "slag_inclusion").value == 40);
     CHECK_THAT(of(slow, "slag_inclusion").rule, test::containsText("below 1.75 mm/s"));
-    // Without a speed that the lesson asks for nothing is slow.
+    // Without a target speed no speed is too slow.
     CHECK(of(estimateImperfections(weld(3, -15, 24, 115, 1.5), stick), "slag_inclusion").value == 0);
 }
 
@@ -132,7 +132,7 @@ TEST_CASE("nothing is estimated without an arc, and of what nobody knows nothing
     CHECK(estimateImperfections({}, settingsOf<Gmaw>()).empty());
     CHECK(estimateImperfections(goodGmaw(), settingsOf<Flame>()).empty());
     CHECK(estimateImperfections(goodGmaw(), settingsOf<SolderingIron>()).empty());
-    std::vector<SeamMillimetre> unknown(5); // all values unknown; the arc without voltage is out of balance
+    std::vector<SeamMillimetre> unknown(5); // all values are unknown; an arc without voltage is out of balance
     const auto estimates = estimateImperfections(unknown, settingsOf<Smaw>(), 3.5 * kMm);
     for (const Estimate& each : estimates)
         CHECK(each.value == 0);

@@ -1,4 +1,4 @@
-// The score of a technique: a perfect path, bent ones, what is not welded, and what cannot be scored.
+// The score of a technique: a perfect path, bent ones, missing weld, and welds that cannot be scored.
 #include "core/training/judging/score.hpp"
 
 #include "core/base/error.hpp"
@@ -20,7 +20,7 @@ using enum TechniqueQuantity;
 
 namespace {
 
-/// What a lesson asks for: 80 mm at 5.5 mm/s.
+/// Returns a lesson's targets: 80 mm at 5.5 mm/s.
 TechniqueBands lessonBands() {
     TechniqueBands bands;
     bands.lengthFromMm = -40;
@@ -33,13 +33,13 @@ TechniqueBands lessonBands() {
     return bands;
 }
 
-/// A path that holds all of lessonBands(), bent in one way at a time.
+/// A path within all of lessonBands(), with one bend at a time.
 struct Bend {
-    double timeScale = 1; ///< of the whole path
-    double farther = 0;   ///< mm
-    double turned = 0;    ///< degrees about the seam
-    double beside = 0;    ///< mm
-    double tilted = 0;    ///< degrees more push
+    double timeScale = 1; ///< time scale of the whole path
+    double farther = 0;   ///< longer arc, mm
+    double turned = 0;    ///< rotation about the seam, degrees
+    double beside = 0;    ///< offset from the seam, mm
+    double tilted = 0;    ///< extra push, degrees
 };
 
 constexpr double kSpeed = 5.5;
@@ -62,7 +62,7 @@ TechniqueScore scoreOf(const Technique& technique, const TechniqueBands& bands =
     return scoreTechnique(technique.faults(), alongSeam(technique), unknownPlaces(technique), bands);
 }
 
-/// The parameter with the lowest score; expects one to be alone there.
+/// Returns the parameter with the lowest score; expects a single lowest one.
 TechniqueQuantity lowestOf(const TechniqueScore& score) {
     ParameterScore lowest = score.parameters[0];
     for (const ParameterScore& each : score.parameters)
@@ -86,7 +86,7 @@ TEST_CASE("points are full inside the inner band and fall to nothing at the oute
     CHECK(band.points(8) == 0);
     CHECK(band.points(-30) == 0);
     CHECK(band.points(std::nan("")) == 0);
-    CHECK(TechniqueBand{aim, 0, 2, 2, 1}.points(2) == 100); // no slope between
+    CHECK(TechniqueBand{aim, 0, 2, 2, 1}.points(2) == 100); // no slope between the limits
     CHECK(TechniqueBand{aim, 0, 2, 2, 1}.points(2.1) == 0);
 }
 
@@ -102,7 +102,7 @@ TEST_CASE("a perfect path has 100 and nothing to correct", "[training][technique
     for (const ParameterScore& each : score.parameters)
         CHECK(each.score == 100);
     CHECK(corrections(score, lessonBands()).empty());
-    // A hand that only reaches within 2 mm of the ends has welded the whole seam.
+    // A hand that reaches only within 2 mm of the ends has welded the whole seam.
     CHECK(scoreOf(bentWeld({}, -38.5, 38.5)).total == 100);
 }
 
@@ -202,7 +202,7 @@ TEST_CASE("a path bent further never scores more", "[training][technique]") {
 }
 
 TEST_CASE("every millimetre counts the same, however long the torch stayed there", "[training][technique]") {
-    // Half of the seam by a wrong work angle; over that half it goes four times as fast as over the other.
+    // Half of the seam has a wrong work angle and four times the speed of the other half.
     TechniqueBands bands = lessonBands();
     bands.bands = {{workAngle, 0, 5, 15, 1}};
     for (const double other : {1.0, 4.0}) {
@@ -237,7 +237,7 @@ TEST_CASE("a half weld has half of the points at most, and a hole costs its leng
         return hand;
     });
     CHECK(scoreOf(holed).total == Approx(100 * 60.0 / 76).margin(2));
-    // Losses add up to what is missing from 100.
+    // Losses add up to the points missing from 100.
     const TechniqueScore both = scoreOf(bentWeld({1, 5, 0, 0, 0}, -42, 0));
     double lost = both.lostToLength;
     for (const ParameterScore& each : both.parameters)
@@ -247,7 +247,7 @@ TEST_CASE("a half weld has half of the points at most, and a hole costs its leng
 }
 
 TEST_CASE("strike and crater are not judged", "[training][technique]") {
-    // Two seconds to form the pool, held badly, and one to fill the crater; two flashes before.
+    // Two seconds form the pool, badly held, and one fills the crater; two flashes precede them.
     const double weld = 84 / kSpeed;
     const auto hand = [&](double time) {
         Hand now;
@@ -281,7 +281,7 @@ TEST_CASE("a slow frame leaves out its millimetres; from 5 % of the seam on ther
             hand.placeMm = -42 + kSpeed * time;
             hand.travelDeg = 10;
             hand.distanceMm = 15;
-            // What is guessed meanwhile is wrong.
+            // The guessed poses are wrong.
             if (next > 0 && time < slow[next - 1] + seconds - kTimeStep) hand.workDeg = 40;
             technique.add(torchOf(plateSeam(), time, hand), arcOf(hand));
         }
@@ -309,10 +309,10 @@ TEST_CASE("a slow frame leaves out its millimetres; from 5 % of the seam on ther
     CHECK_THAT(three.reason, test::containsText("3 samples of the torch were missing while the arc burned. The hand is "
                                                 "not known on ") &&
                                  test::containsText(" of 80 mm of the seam. From 5 % on"));
-    // Beyond the wanted seam nothing is lost, and a person who stands still loses one millimetre.
+    // Beyond the required seam no millimetre is lost, and a stationary hand loses one.
     CHECK(scoreOf(weld({0.02, 0.1}, 0.1)).unknownMm == 0);
     CHECK(unknownSentence(scoreOf(bentWeld({}))).empty());
-    // The frame's time goes into records as text; an older one had none.
+    // The frame's time is in records as text; older records lack it.
     CHECK(droppedSeconds(droppedText(0.2)) == 0.2);
     CHECK(droppedSeconds("dropped") == kLongestGuess);
     CHECK(droppedSeconds("dropped 1e9") == kLongestGuess);
@@ -358,13 +358,13 @@ TEST_CASE("an attempt that was not seen whole has no score, and says why", "[tra
     CHECK(corrections(lost, lessonBands()).empty());
     // The arc went out with the tracking: it burned when the torch was lost.
     CHECK_FALSE(weld([](Hand& hand, double time) { hand.tracked = hand.burns = time < 5 || time >= 5.75; }).scored);
-    // A moment costs its millimetres only; they count neither as welded nor as missing.
+    // A short loss of tracking costs its millimetres only; they count neither as welded nor as missing.
     const TechniqueScore moment = weld([](Hand& hand, double time) { hand.tracked = time < 5 || time >= 5.25; });
     CHECK(moment.total == 100);
     CHECK(moment.unknownMm >= 1);
     CHECK(moment.unknownMm <= 3);
     CHECK(moment.weldedMm == 80 - moment.unknownMm);
-    // Before the strike nobody needs to see the torch.
+    // Before the strike the torch need not be tracked.
     CHECK(weld([](Hand& hand, double time) { hand.tracked = hand.burns = time >= 0.2; }).scored);
     const TechniqueScore never = weld([](Hand& hand, double) { hand.burns = false; });
     CHECK_FALSE(never.scored);
@@ -415,7 +415,7 @@ TEST_CASE("corrections are the dearest first, three of them, and name unevenness
                test::containsText("Push less: the travel angle was 21° on average, 11° above the 10°"));
     CHECK(told[2].quantity == distance);
     CHECK_THAT(told[2].sentence, test::containsText("Hold the torch farther away"));
-    bands.bands[0].weight = 100; // half of the score stays with the lowest parameter
+    bands.bands[0].weight = 100; // half of the score depends on the lowest parameter
     CHECK(corrections(scoreOf(technique, bands), bands)[0].quantity == workAngle);
     CHECK(corrections(scoreOf(technique, bands), bands)[1].quantity == aim);
     CHECK(corrections(scoreOf(technique, bands), bands, 1).size() == 1);

@@ -1,4 +1,4 @@
-// Places and directions of seams against geometry by hand.
+// Places and directions of seams against manual geometry.
 #include "core/training/judging/seam.hpp"
 #include "tests/support/catch.hpp"
 
@@ -61,7 +61,7 @@ TEST_CASE("the nearest place of a straight seam takes a point apart into place, 
 }
 
 TEST_CASE("a circular seam runs once around its axis", "[training][technique]") {
-    // A pipe along z, of 60 mm radius: over the top towards +x, the welder's side positive.
+    // The pipe runs along z with a radius of 60 mm: over the top towards +x, the welder's side positive.
     const Seam seam = Seam::circle({0, -0.06, 0.01}, {0, 0, -1}, {0, 0, 0});
     CHECK(seam.closed());
     CHECK(seam.length() == Approx(2 * std::numbers::pi * 0.06));

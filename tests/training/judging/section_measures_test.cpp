@@ -1,4 +1,4 @@
-// Measures drawn into a section: their lengths are the station's, their ends lie where the metal's are.
+// Measures drawn into a section: their lengths are the station's, their ends are on the metal.
 #include "core/training/judging/section_measures.hpp"
 
 #include "tests/support/catch.hpp"
@@ -13,12 +13,12 @@ using namespace meltpool;
 namespace {
 
 constexpr double kMm = 1e-3;
-constexpr double kSpacing = 0.5; ///< of the particles, mm
-constexpr double kFusion = 1790; ///< K
+constexpr double kSpacing = 0.5; ///< particle spacing, mm
+constexpr double kFusion = 1790; ///< fusion temperature, K
 
-using Shape = std::function<bool(glm::dvec2)>; ///< of a place (z, y), mm
+using Shape = std::function<bool(glm::dvec2)>; ///< shape as a function of a place (z, y), mm
 
-/// The map of metal on a lattice whose molten part is `molten`.
+/// Returns the map of metal on a lattice whose molten part is `molten`.
 SectionMap mapOf(const Shape& metal, const Shape& molten) {
     std::vector<MapParticle> particles;
     const int reach = static_cast<int>(16 / kSpacing);
@@ -34,7 +34,8 @@ bool inTee(glm::dvec2 p) {
     return (p.y < 0 && p.y > -6 && std::abs(p.x) < 14) || (p.x < 0 && p.x > -6 && p.y > -6 && p.y < 14);
 }
 
-/// Legs 7 and 5 mm, flat surface; fused 1.5 mm into the lying plate and 1 mm into the standing one.
+/// True inside a fillet with legs 7 and 5 mm and a flat surface; fused 1.5 mm into the base plate and 1 mm into the
+/// upright one.
 bool inFillet(glm::dvec2 p) {
     return p.x > 0 && p.y > 0 && p.x / 7 + p.y / 5 < 1;
 }
@@ -93,7 +94,7 @@ TEST_CASE("a fillet's measures end at its toes, corner and surface, and are as l
     CHECK(near(throat.from, {0, 0}));
     CHECK(lengthOf(throat) == Approx(*station.throat));
     const glm::dvec2 foot = glm::dvec2(throat.to) / kMm;
-    CHECK(std::abs(foot.x / 7 + foot.y / 5 - 1) * 4.07 < 0.5 * kSpacing); // on the surface
+    CHECK(std::abs(foot.x / 7 + foot.y / 5 - 1) * 4.07 < 0.5 * kSpacing); // point on the surface
     const SectionMark& depth = markOf(marks, "penetration 1.5");
     CHECK(lengthOf(depth) == Approx(1.5 * kMm));
     CHECK(depth.from.y == Approx(0).margin(1e-9));
@@ -106,7 +107,7 @@ TEST_CASE("angles open from the plate to the weld's surface", "[measures]") {
     const auto marks = sectionMarks(filletStation(), WeldKind::fillet, map, kFusion, {});
     const SectionMark& lying = markOf(marks, "angle 36\xC2\xB0");
     CHECK(near(lying.from, {7, 0}));
-    // The weld's surface goes from toe to toe.
+    // The weld's surface runs from toe to toe.
     const glm::dvec2 way = glm::normalize(glm::dvec2(-7, 5));
     CHECK(glm::distance(glm::dvec2(lying.second), way) < 1e-6);
     const SectionMark& standing = markOf(marks, "angle 54\xC2\xB0");
@@ -127,7 +128,7 @@ TEST_CASE("faults are drawn where they are longer than the particles resolve; sh
     CHECK(convexity.tint == SectionMark::Tint::unresolved);
     for (const SectionMark& mark : marks)
         CHECK(mark.label.find("undercut") == std::string::npos);
-    // Unfused from the corner: on the plate that is cold there.
+    // The fillet is unfused from the corner on the plate that is cold there.
     station.lackOfFusion = 2 * kMm;
     const SectionMap cold = mapOf([](glm::dvec2 p) { return inTee(p) || inFillet(p); },
                                   [](glm::dvec2 p) { return moltenInTee(p) && (p.x > 0 || p.y > 2); });
@@ -157,7 +158,7 @@ TEST_CASE("a bead's and a butt's measures stand on the upper face and the lower 
     station.rootMissing = 0.8 * kMm;
     station.lackOfFusion = 1.2 * kMm;
     marks = sectionMarks(station, WeldKind::butt, map, kFusion, {0, 6 * kMm});
-    const SectionMark& unfused = markOf(marks, "not fused 2.0"); // of the worse edge
+    const SectionMark& unfused = markOf(marks, "not fused 2.0"); // mark of the worse edge
     CHECK(unfused.from.y == Approx(-6 * kMm));
     CHECK(unfused.to.y == Approx(-4 * kMm));
     CHECK(unfused.tint == SectionMark::Tint::fault);

@@ -27,7 +27,7 @@ std::vector<double> judgedValues(const std::vector<SeamMillimetre>& seam, Techni
 TorchSample torchOf(const Seam& seam, double time, const Hand& hand) {
     const SeamFrame frame = seam.at(hand.placeMm * 1e-3);
     const double work = glm::radians(hand.workDeg), travel = glm::radians(hand.travelDeg);
-    // The handle leans by the work angle in the plane across the seam, then against the way it goes.
+    // The handle leans by the work angle in the plane across the seam, then against the travel direction.
     const glm::dvec3 handle = std::cos(work) * frame.up + std::sin(work) * frame.across;
     const glm::dvec3 back = std::cos(travel) * handle - std::sin(travel) * double(hand.direction) * frame.tangent;
     const glm::dvec3 foot = frame.point + hand.aimMm * 1e-3 * frame.across;

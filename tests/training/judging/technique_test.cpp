@@ -1,4 +1,4 @@
-// Technique against the closed forms of the paths it is measured on: 0.1 mm, 0.1 degrees, 0.1 mm/s and better.
+// Technique against the closed forms of its paths: 0.1 mm, 0.1 degrees, 0.1 mm/s and better.
 #include "tests/training/judging/synthetic_weld.hpp"
 
 #include "core/weld/torch/torch_moves.hpp"
@@ -26,7 +26,7 @@ Seam jointSeam(WorkpieceKind kind) {
     return seamOf(workpiece);
 }
 
-/// A zigzag from toe to toe that stands still at both: -1 and 1 are the toes, it begins at the lower one.
+/// Returns a zigzag from toe to toe with a dwell at both: -1 and 1 are the toes, it begins at the lower one.
 double zigzag(double time, double period, double dwell) {
     const double way = period / 2 - dwell;
     const double phase = time - std::floor(time / period) * period;
@@ -63,11 +63,11 @@ TEST_CASE("speed, tilt in both planes, aim and distance are the path's, both way
     CHECK(farthestFrom(14.2, seam, distance) < kMmTolerance);
     CHECK(farthestFrom(0, seam, weaveWidth) == 0);
     CHECK(farthestFrom(2 * std::cos(work * kPi / 180) * std::cos(travel * kPi / 180), seam, height) < kMmTolerance);
-    CHECK(seam.size() == 52); // 8 s at 6.4 mm/s, and the part of the last millimetre
+    CHECK(seam.size() == 52); // 8 s at 6.4 mm/s, and a part of the last millimetre
 }
 
 TEST_CASE("angles are those that a written torch path asks for", "[training][technique]") {
-    // A tee in 2F: the path's work angle counts from the lying plate, the technique's from the bisector at 45 degrees.
+    // A tee in 2F: the path's work angle counts from the base plate, the technique's from the bisector at 45 degrees.
     TorchMove move;
     move.duration = 6;
     move.from = {0.03F, 0, 0};
@@ -176,7 +176,7 @@ TEST_CASE("a hand's tremor is no weave", "[training][technique]") {
 }
 
 TEST_CASE("tremor that comes and goes neither makes a weave nor hides one", "[training][technique]") {
-    // Twelve waves from 7 to 9 Hz, together 0.3 mm or 2 degrees r.m.s. in each direction.
+    // The tremor has twelve waves from 7 to 9 Hz, together 0.3 mm or 2 degrees r.m.s. in each direction.
     const unsigned seed = GENERATE(1U, 2U, 3U);
     std::mt19937 random(seed);
     std::array<std::array<double, 12>, 4> phases{};
@@ -212,14 +212,14 @@ TEST_CASE("tremor that comes and goes neither makes a weave nor hides one", "[tr
 
 TEST_CASE("on a pipe angles count from the tangent, places go on around it", "[training][technique]") {
     const int direction = GENERATE(1, -1);
-    const double height = GENERATE(5.0, 40.0); // far from the pipe the tip lies over another place than the arc
+    const double height = GENERATE(5.0, 40.0); // far from the pipe the tip is over another place than the arc
     const Seam pipe = Seam::circle({0, -0.03, 0}, {0, 0, -1}, {0, 0, 0});
     const double around = pipe.length() * 1e3;
     const double seconds = (around + 20) / 5;
     const Technique technique = weldWith(pipe, seconds, [&](double time) {
         Hand hand;
         hand.direction = direction;
-        hand.placeMm = direction * (around / 2 - 7 + 5 * time); // from below, once around and 20 mm over the start
+        hand.placeMm = direction * (around / 2 - 7 + 5 * time); // from below, once around, 20 mm past the start
         hand.workDeg = 6;
         hand.travelDeg = -9;
         hand.aimMm = -0.8;
@@ -239,7 +239,7 @@ TEST_CASE("on a pipe angles count from the tangent, places go on around it", "[t
 
 TEST_CASE("no speed is taken across a gap of the arc or of the tracking", "[training][technique]") {
     const bool tracking = GENERATE(false, true);
-    // While the arc is out the torch goes on far faster, and after it as before.
+    // While the arc is out the torch moves far faster, afterwards as before.
     const Technique technique = weldWith(plateSeam(), 12, [&](double time) {
         Hand hand;
         hand.placeMm = time < 6 ? -40 + 5 * time : time < 6.2 ? -10 + 100 * (time - 6) : 10 + 5 * (time - 6.2);
@@ -284,13 +284,13 @@ TEST_CASE("a missing sample ends the stretch and is counted", "[training][techni
     technique.reset();
     CHECK(technique.faults().dropped == 0);
     CHECK(alongSeam(technique).empty());
-    technique.noteDropped(); // without an arc nothing is missed
+    technique.noteDropped(); // without an arc no sample is missing
     CHECK(technique.faults().dropped == 0);
 }
 
 TEST_CASE("a whip along the seam has its length, period and dwell in the pool", "[training][technique]") {
     const int direction = GENERATE(1, -1);
-    // 1.2 s a stroke: 0.5 s in the pool, forward and back in 0.35 s each; in the pool the torch keeps still.
+    // Each stroke takes 1.2 s: 0.5 s in the pool, forward and back in 0.35 s each; in the pool the torch is stationary.
     constexpr double kPeriod = 1.2, kDwell = 0.5, kPitch = 3.6, kForward = 6;
     const auto seam = alongSeam(weldWith(plateSeam(), 24, [&](double time) {
         const double stroke = std::floor(time / kPeriod), phase = time - stroke * kPeriod;
@@ -318,8 +318,8 @@ TEST_CASE("the direction turns with the torch, from where it turned", "[training
         hand.travelDeg = time < 6 ? 15 : -15;
         return hand;
     }));
-    CHECK(farthestFrom(-15, seam, travelAngle, -38, -21) < kAngleTolerance); // the way back alone
-    CHECK(farthestFrom(0, seam, travelAngle, -15, 5) < 1);                   // both ways over one millimetre
+    CHECK(farthestFrom(-15, seam, travelAngle, -38, -21) < kAngleTolerance); // only the way back
+    CHECK(farthestFrom(0, seam, travelAngle, -15, 5) < 1);                   // both directions within one millimetre
     CHECK(farthestFrom(5, seam, travelSpeed, -38, 5) < kMmTolerance);
 }
 

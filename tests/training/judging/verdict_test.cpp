@@ -1,5 +1,5 @@
-// Verdicts on welds whose figures are made up: each imperfection alone fails its own item, what the particles do not
-// resolve neither passes nor fails, and short imperfections have their allowance.
+// Verdicts on synthetic welds: each imperfection alone fails its own item, unresolved ones neither pass nor fail, and
+// short ones have their allowance.
 #include "core/training/judging/verdict.hpp"
 
 #include "tests/support/catch.hpp"
@@ -20,7 +20,7 @@ Acceptance shipped(const std::string& name) {
     return readAcceptance(test::testFolder().parent_path() / "app" / "data" / "acceptance" / (name + ".toml"));
 }
 
-/// A sound weld: a = 4 mm, 6 mm plates.
+/// Returns a sound weld: a = 4 mm, 6 mm plates.
 WeldStation sound(WeldKind kind) {
     WeldStation s;
     s.toeWidth = 8 * kMm;
@@ -55,7 +55,7 @@ NominalWeld nominal(WeldKind kind) {
     return weld;
 }
 
-/// 50 stations of 2 mm: 100 mm of weld. Those from `first` to `last` are changed.
+/// Returns 50 stations of 2 mm: 100 mm of weld. Those from `first` to `last` are changed.
 WeldMeasures weldOf(WeldKind kind, const std::function<void(WeldStation&)>& change = {}, int first = 0, int last = 49,
                     double spacing = kSpacing) {
     std::vector<WeldStation> stations;
@@ -97,7 +97,7 @@ TEST_CASE("sound welds are accepted by every shipped file", "[verdict]") {
             CHECK(itemOf(verdict, "lack_of_fusion").state == VerdictState::pass);
             CHECK(itemOf(verdict, "burn_through").state == VerdictState::pass);
             CHECK(itemOf(verdict, "overlap").state == VerdictState::pass);
-            CHECK(itemOf(verdict, "crack").state == VerdictState::notResolved); // the metal has none to show
+            CHECK(itemOf(verdict, "crack").state == VerdictState::notResolved); // the metal model has no cracks
             CHECK_FALSE(itemOf(verdict, "crack").value);
         }
     const Verdict verdict = judge(weldOf(WeldKind::fillet), shipped("iso5817-c"), nominal(WeldKind::fillet));
@@ -139,7 +139,7 @@ TEST_CASE("each imperfection alone fails its own item", "[verdict]") {
     const Acceptance c = shipped("iso5817-c");
     for (const Fault& fault : faults) {
         INFO(nameOf(fault.kind) << ": " << fault.item);
-        // One station is enough.
+        // A single station is enough.
         const Verdict verdict = judge(weldOf(fault.kind, fault.change, 7, 7), c, nominal(fault.kind));
         CHECK(failures(verdict) == std::vector<std::string>{fault.item});
         CHECK_FALSE(verdict.accepted);
@@ -171,14 +171,14 @@ TEST_CASE("what the particles do not resolve neither passes nor fails", "[verdic
     const Verdict told = judge(undercut(0, 1e-3), b, nominal(fillet));
     CHECK(itemOf(told, "undercut").resolution == Approx(0.5));
     CHECK(*itemOf(told, "undercut").limit == Approx(0.3));
-    // Nothing is permitted: only what is on its safe side by as much as the particles resolve passes.
+    // Without permitted size, only a value whose margin exceeds the resolution passes.
     const auto fusion = [&](double mm) { return weldOf(fillet, [mm](WeldStation& s) { s.lackOfFusion = mm * kMm; }); };
     CHECK(stateOf(fusion(-0.3), c, "lack_of_fusion") == VerdictState::pass);
     CHECK(stateOf(fusion(-0.2), c, "lack_of_fusion") == VerdictState::notResolved);
     CHECK(stateOf(fusion(0.2), c, "lack_of_fusion") == VerdictState::notResolved);
     CHECK(stateOf(fusion(0.3), c, "lack_of_fusion") == VerdictState::fail);
-    CHECK(judge(fusion(0.2), c, nominal(fillet)).accepted); // told, but not decided
-    // An angle near its limit of 100 degrees.
+    CHECK(judge(fusion(0.2), c, nominal(fillet)).accepted); // reported, but not decisive
+    // The angle is near its limit of 100 degrees.
     const auto angle = [&](double degrees) {
         return weldOf(fillet, [=](WeldStation& s) { s.edgeAngle1 = (180 - degrees) * kDegree; });
     };
@@ -200,7 +200,7 @@ TEST_CASE("short imperfections have their allowance", "[verdict]") {
     CHECK(*itemOf(within, "throat_too_small").limit == Approx(0.7));
     const auto thinner = [](WeldStation& s) { s.throat = 3.2 * kMm; };
     CHECK(stateOf(weldOf(fillet, thinner, 10, 10), c, "throat_too_small") == VerdictState::fail);
-    // A quarter of a shorter weld: 40 mm, so 10 mm.
+    // The limit is a quarter of a shorter weld: 40 mm, so 10 mm.
     const auto shorter = [&](int last) {
         WeldMeasures weld = weldOf(fillet, thin, 0, last);
         weld.stations.resize(20);
@@ -208,11 +208,11 @@ TEST_CASE("short imperfections have their allowance", "[verdict]") {
     };
     CHECK(stateOf(shorter(4), c, "throat_too_small") == VerdictState::pass);
     CHECK(stateOf(shorter(5), c, "throat_too_small") == VerdictState::fail);
-    // Hardly below nominal over the whole length: within the allowance's limit, but perhaps too long.
+    // The throat is slightly below nominal over the whole length: within the allowance's limit, but perhaps too long.
     const auto hardly = [](WeldStation& s) { s.throat = 3.9 * kMm; };
     CHECK(stateOf(weldOf(fillet, hardly), c, "throat_too_small") == VerdictState::notResolved);
     CHECK(stateOf(weldOf(fillet, hardly, 0, 9), c, "throat_too_small") == VerdictState::pass);
-    // AWS D1.1: undercut to 2 mm over 50 mm in any 300.
+    // AWS D1.1 permits undercut to 2 mm over 50 mm in any 300.
     const auto deep = [](WeldStation& s) { s.undercut1 = 1.5 * kMm; };
     CHECK(stateOf(weldOf(fillet, deep, 0, 24), shipped("aws-d1-1-static"), "undercut") == VerdictState::pass);
     CHECK(stateOf(weldOf(fillet, deep, 0, 25), shipped("aws-d1-1-static"), "undercut") == VerdictState::fail);
@@ -227,8 +227,8 @@ TEST_CASE("limits grow with the width at their station, and with nominal sizes t
             s.toeWidth = width * kMm;
         });
     };
-    CHECK(stateOf(convex(8), c, "convexity") == VerdictState::fail);  // 2.2 mm
-    CHECK(stateOf(convex(10), c, "convexity") == VerdictState::pass); // 2.5 mm
+    CHECK(stateOf(convex(8), c, "convexity") == VerdictState::fail);  // limit 2.2 mm
+    CHECK(stateOf(convex(10), c, "convexity") == VerdictState::pass); // limit 2.5 mm
     NominalWeld unknown;
     unknown.thickness = 6 * kMm;
     const Verdict verdict = judge(weldOf(fillet), c, unknown);
@@ -250,24 +250,24 @@ TEST_CASE("what the metal does not contain is estimated and does not decide", "[
     CHECK(pore.state == VerdictState::estimated);
     CHECK(*pore.value == 3);
     CHECK(pore.rule == "Too far.");
-    CHECK_FALSE(pore.limit); // 0.8 mm is that of a pore's size
+    CHECK_FALSE(pore.limit); // 0.8 mm limits a pore's size
     CHECK(pore.beyond);
     CHECK(itemOf(verdict, "spatter").state == VerdictState::estimated);
     CHECK_FALSE(itemOf(verdict, "spatter").limit);
     CHECK_FALSE(itemOf(verdict, "spatter").beyond);
     CHECK(itemOf(verdict, "undercut").state == VerdictState::pass); // measured
     CHECK(itemOf(verdict, "undercut").rule.empty());
-    CHECK(itemOf(verdict, "crack").state == VerdictState::notResolved); // no estimate tells of it
+    CHECK(itemOf(verdict, "crack").state == VerdictState::notResolved); // cracks have no estimate
     CHECK(verdict.accepted);
 
-    // D1.1 speaks of another kind of pore: the same estimate, once.
+    // D1.1 names another kind of pore: one estimate applies, once.
     const Verdict other =
         judge(weldOf(WeldKind::fillet), shipped("aws-d1-1-static"), nominal(WeldKind::fillet), estimates);
     CHECK(itemOf(other, "piping_porosity").state == VerdictState::estimated);
     CHECK(std::none_of(other.items.begin(), other.items.end(),
                        [](const VerdictItem& each) { return each.name == "surface_pore"; }));
 
-    // A weld that fails goes on failing.
+    // A failed weld remains failed.
     const Verdict failed = judge(weldOf(WeldKind::fillet, [](WeldStation& s) { s.undercut1 = 3 * kMm; }),
                                  shipped("iso5817-c"), nominal(WeldKind::fillet), estimates);
     CHECK_FALSE(failed.accepted);
@@ -278,7 +278,7 @@ TEST_CASE("nothing welded is not accepted", "[verdict]") {
         judge(summarise({}, WeldKind::bead, 2 * kMm, kSpacing), shipped("iso5817-d"), nominal(WeldKind::bead));
     CHECK_FALSE(verdict.accepted);
     CHECK(failures(verdict).empty());
-    // A stretch of the seam without weld.
+    // A stretch of the seam has no weld.
     for (const WeldKind kind : {WeldKind::fillet, WeldKind::butt, WeldKind::bead}) {
         const auto bare = [&](WeldStation& s) {
             Section section;
@@ -322,7 +322,7 @@ TEST_CASE("an imperfection of the whole weld is judged at its own place", "[verd
         return PlacedImperfection{{*weld.straightness / kMm, 0}, 97 * kMm};
     };
     CHECK(uneven.isMeasured());
-    AcceptanceItem item; // none is permitted
+    AcceptanceItem item; // not permitted at all
     item.imperfection = "uneven";
     item.appliesTo = {WeldKind::bead};
     WeldMeasures weld = weldOf(WeldKind::bead);

@@ -1,4 +1,4 @@
-// One's own path with one thing changed: that changes, and nothing else, and an electrode is followed.
+// A person's own path with one change: nothing else changes, and an electrode is followed.
 #include "core/training/lesson/changed_path.hpp"
 #include "core/weld/torch/hand_tremor.hpp"
 #include "tests/support/catch.hpp"
@@ -19,7 +19,7 @@ Seam plateSeam() {
     return Seam::line({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, -0.05, 0.05);
 }
 
-/// 5 mm/s along +x, 3 mm over a plate; the arc burns from 1 s on. 4 s.
+/// Returns 4 s at 5 mm/s along +x, 3 mm over a plate; the arc burns from 1 s on.
 std::vector<AttemptStep> straightSteps() {
     std::vector<AttemptStep> steps(2000);
     double time = 0;
@@ -75,7 +75,7 @@ TEST_CASE("speed, length and angles change what they name and nothing else", "[t
     const TorchSample longer = changed({.farther = 2e-3}, 3);
     CHECK(glm::distance(longer.tip, plain.tip - 0.002f * plain.axis()) < 1e-6f);
     CHECK(longer.orientation == plain.orientation);
-    // Struck from where it was struck: the length is taken up in the half second after.
+    // The strike does not move: the length changes in the half second after it.
     CHECK(changed({.farther = 2e-3}, 0.9).tip == changed({}, 0.9).tip);
     const float taken = glm::distance(changed({.farther = 2e-3}, 1.25).tip, changed({}, 1.25).tip);
     CHECK(taken > 0.0005f);
@@ -105,7 +105,7 @@ TEST_CASE("a push is a push whichever way the seam is welded", "[training][compa
 TEST_CASE("an electrode that burns off otherwise is followed, so that its arc stays as long",
           "[training][comparison]") {
     auto steps = straightSteps();
-    for (AttemptStep& step : steps) // 2 mm/s burn off, and the hand goes down with it
+    for (AttemptStep& step : steps) // the electrode burns off at 2 mm/s, and the hand follows it down
         step.burntOff = step.burned ? 0.002 * (step.torch.time - 1) : 0;
     const auto endOf = [](const TorchSample& torch, double burntOff) {
         return glm::dvec3(torch.tip) - burntOff * glm::dvec3(torch.axis());

@@ -1,4 +1,4 @@
-// Checks of lessons as files: what they may expect, how it is held against a judgement, and how faults are told.
+// Checks of lessons as files: permitted expectations, their comparison with a judgement, and messages about faults.
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "core/training/lesson/lesson_check.hpp"
@@ -31,7 +31,7 @@ std::string refusal(const std::string& text) {
     return "";
 }
 
-/// A judgement with a score of 81, speed lowest, a bead 7 mm wide that fails by overlap.
+/// Returns a judgement with a score of 81, speed lowest, a bead 7 mm wide that fails by overlap.
 Judgement judged() {
     Judgement made;
     TechniqueScore score;
@@ -85,7 +85,7 @@ TEST_CASE("a check holds score, parameters, verdict and measured weld against wh
     CHECK_FALSE(outcome("travel_speed").passed);
     CHECK(outcome("travel_speed").found == "62");
     CHECK(outcome("toe_width_mm").passed);
-    CHECK_FALSE(outcome("penetration_mm").passed); // this weld has none
+    CHECK_FALSE(outcome("penetration_mm").passed); // this weld has no penetration
     CHECK(outcome("penetration_mm").found == "none");
     CHECK(outcome("overlap").passed);
 }
@@ -141,6 +141,6 @@ TEST_CASE("a check whose torch is a record takes the attempt's values, and its c
     CHECK(check.lesson.process.of<Gmaw>().voltage == 21);
     CHECK(check.lesson.run.seconds == Approx(0.4));
     REQUIRE(check.lesson.recorded->changes.size() == 1);
-    CHECK(check.lesson.recorded->changes[0].steps == 1); // after two steps of the path, which takes half its time here
+    CHECK(check.lesson.recorded->changes[0].steps == 1); // two steps of the path, which takes half its time here
     CHECK(check.lesson.recorded->changes[0].value == "26");
 }

@@ -1,4 +1,4 @@
-// Lessons by name from the program's folder, a school's and a person's: which one a name means, and what is no lesson.
+// Lessons by name from the folders of program, school and person: resolution of a name, and files that are no lesson.
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "core/training/lesson/lesson_folders.hpp"
@@ -12,14 +12,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Three folders below a fresh one, with a file for each of "shipped/a.toml" ..; the text is a lesson's title.
+/// Returns three folders below a new one, with a file for each of "shipped/a.toml" ..; the text is a lesson's title.
 LessonFolders foldersWith(const fs::path& base, std::initializer_list<const char*> files) {
     for (const char* folder : {"shipped", "school", "own"})
         fs::create_directories(base / folder);
     for (const char* file : files)
         writeTextFileAtomically(base / file, std::string("title = '") + file + "'\n");
     LessonFolders folders(base / "shipped");
-    folders.add(LessonOrigin::school, base / "school" / ""); // a slash at the end changes nothing
+    folders.add(LessonOrigin::school, base / "school" / ""); // a trailing slash has no effect
     folders.add(LessonOrigin::own, base / "own");
     return folders;
 }
@@ -72,7 +72,7 @@ TEST_CASE("materials, torch paths, limits and checks beside own lessons are no l
     writeTextFileAtomically(base / "own" / "checks.toml", "lesson = 'mine.toml'\n[expect]\nscore = [1, 2]\n");
     writeTextFileAtomically(base / "own" / "broken.toml", "title = \n");
     fs::create_directories(base / "own" / "folder.toml");
-    // A broken file may be a lesson: it is listed so that its fault is seen.
+    // A broken file may be a lesson: the list contains it so that its fault is visible.
     CHECK(keysOf(folders.list()) == "shipped/a own/broken own/folder! own/mine ");
 }
 
@@ -108,7 +108,7 @@ TEST_CASE("an attempt finds its lesson again by file, else by name among the sch
     attempt.file = "attempt.meltrec";
     attempt.head.lesson = "a";
     CHECK(findLessonOf(attempt, folders).title == "shipped/a.toml");
-    attempt.head.lesson = "b"; // as a CSV record names it
+    attempt.head.lesson = "b"; // the name in a CSV record
     CHECK(findLessonOf(attempt, folders).title == "own/b.toml");
     CHECK(movedLessonText(attempt, findLessonOf(attempt, folders)).empty());
     attempt.head.lessonFile = (base / "own" / "elsewhere.toml").string();
@@ -117,6 +117,6 @@ TEST_CASE("an attempt finds its lesson again by file, else by name among the sch
     const Lesson moved = findLessonOf(attempt, folders);
     CHECK(moved.title == "own/b.toml");
     CHECK_THAT(movedLessonText(attempt, moved), containsText("/nowhere/b.toml is no longer there"));
-    attempt.head.lesson = "a"; // a shipped lesson is never what a file elsewhere was
+    attempt.head.lesson = "a"; // a shipped lesson never replaces a file elsewhere
     CHECK_THROWS_WITH(findLessonOf(attempt, folders), containsText("expected --lesson with this lesson's file"));
 }

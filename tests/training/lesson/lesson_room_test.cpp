@@ -1,4 +1,4 @@
-// A lesson too large for memory or for the driver's buffers is refused in a sentence, before any of it is made.
+// Lessons too large for memory or for the driver's buffers, refused in a sentence before any allocation.
 #include "core/base/error.hpp"
 #include "core/training/lesson/lesson_room.hpp"
 #include "shaders/shared/flow.h"
@@ -11,9 +11,9 @@ using meltpool::test::containsText;
 namespace {
 
 constexpr double kGiga = 1024.0 * 1024 * 1024;
-constexpr double kTexelsOfParticle = FLOW_NEIGHBOUR_CAPACITY + 2; // of the neighbour lists
+constexpr double kTexelsOfParticle = FLOW_NEIGHBOUR_CAPACITY + 2; // texels of a particle's neighbour lists
 
-/// 300,000 steel particles in the plate, and the room for the wire's.
+/// Returns a lesson with 300,000 steel particles in the plate and capacity for the wire's.
 Lesson fineBead() {
     Lesson lesson = findLesson("gmaw-bead", test::testFolder().parent_path() / "app" / "data" / "lessons");
     for (const auto& [key, value] :
@@ -47,14 +47,14 @@ TEST_CASE("a lesson beyond the free memory is told how much may be taken", "[tra
     classic.set("particles", "4000000", "test");
     CHECK_THAT(refusal(classic, {0.25 * kGiga, 1}), containsText("4 million particles"));
     CHECK_THAT(refusal(classic, {0.25 * kGiga, 1}), containsText("expected fewer particles"));
-    CHECK(refusal(classic, {64 * kGiga, 1}).empty()); // its buffers are no buffer textures of lists
+    CHECK(refusal(classic, {64 * kGiga, 1}).empty()); // its buffers are no buffer textures
 }
 
 TEST_CASE("this machine has room for every shipped lesson, and its driver says its limit", "[training]") {
     test::context();
     const MetalRoom room = machineRoom();
     CHECK(room.bytes > 0);
-    CHECK(room.bufferTexels >= 65536); // what OpenGL requires of every driver
+    CHECK(room.bufferTexels >= 65536); // OpenGL's minimum for every driver
     for (const std::string& name : lessonNames(test::testFolder().parent_path() / "app" / "data" / "lessons"))
         CHECK_NOTHROW(
             requireRoom(findLesson(name, test::testFolder().parent_path() / "app" / "data" / "lessons"), room));

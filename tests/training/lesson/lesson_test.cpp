@@ -1,4 +1,4 @@
-// Lessons as files: what ships is sound, every value can be set, and bad files are refused by line.
+// Lessons as files: shipped ones are sound, every value can be set, and bad files are refused by line.
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "core/training/lesson/lesson.hpp"
@@ -159,13 +159,13 @@ TEST_CASE("a lesson lets the trainee choose settings within its limits", "[train
     REQUIRE(lesson.choose.size() == 2);
     CHECK(lesson.choose[0].start == 15);
     CHECK_FALSE(lesson.choose[1].start);
-    CHECK(lesson.process.of<Gmaw>().voltage == 19); // the lesson's own
+    CHECK(lesson.process.of<Gmaw>().voltage == 19); // the lesson's own value
     CHECK(lesson.unsetSettings().empty());
     CHECK_THROWS_WITH(lesson.set("voltage", "21.1", "--set voltage=21.1"),
                       containsText("--set voltage=21.1: 'voltage' is '21.1'; expected a number from 17.4 to 21 (V)"));
     CHECK_THROWS_AS(lesson.set("wire_feed_m_min", "3.4", "test"), InputError);
     CHECK_NOTHROW(lesson.set("voltage", "17.4", "test"));
-    CHECK_NOTHROW(lesson.set("wire_diameter_mm", "0.8", "test")); // given, but this is no attempt for score
+    CHECK_NOTHROW(lesson.set("wire_diameter_mm", "0.8", "test")); // a given value outside a test
     CHECK(lesson.chosenText() == "voltage 17.4 V, wire feed 4 m/min");
     lesson.takeStartSettings();
     CHECK(lesson.process.of<Gmaw>().voltage == 15);
@@ -179,7 +179,7 @@ TEST_CASE("a weld lesson names joint, position and tacks", "[training]") {
     const Lesson lesson = lessonFrom("model = 'weld'\n[workpiece]\nworkpiece = 'corner'\nposition = '3F'\n"
                                      "tack_count = 3\ntack_length_mm = 10\n");
     CHECK(lesson.workpiece.kind == static_cast<int>(WorkpieceKind::Corner));
-    CHECK(fixtureOf(lesson.workpiece).down() == glm::vec3(-1, 0, 0)); // the seam goes up
+    CHECK(fixtureOf(lesson.workpiece).down() == glm::vec3(-1, 0, 0)); // upward seam
     CHECK(lesson.workpiece.tackCount == 3);
     CHECK(lesson.workpiece.tackLengthMm == 10);
 }
@@ -230,7 +230,8 @@ TEST_CASE("a bad lesson is refused in one sentence with file, line and expectati
         {"model = 'weld'\n[workpiece]\nworkpiece = 'pipe'\ndiameter_mm = 20\nthickness_mm = 10\n",
          "bad.toml:5: ", "expected less than half of diameter_mm"},
         {"model = 'weld'\n[workpiece]\ntack_count = 2\n", "bad.toml:3: ", "expected 0"},
-        {"model = 'weld'\n[choose]\nvoltage = { from = 1, to = 2 }\n", "bad.toml:3: ", "unknown key"}, // of GTAW
+        {"model = 'weld'\n[choose]\nvoltage = { from = 1, to = 2 }\n",
+         "bad.toml:3: ", "unknown key"}, // belongs to GTAW
         {"model = 'weld'\n[choose]\nprocess = { from = 1, to = 2 }\n", "bad.toml:3: ", "unknown key"},
         {"model = 'weld'\n[choose]\ncurrent = 100\n", "bad.toml:3: ", "expected a table"},
         {"model = 'weld'\n[choose]\ncurrent = { from = 100 }\n", "bad.toml:3: ", "to"},
@@ -241,7 +242,7 @@ TEST_CASE("a bad lesson is refused in one sentence with file, line and expectati
          "bad.toml:5: ", "expected limits about the lesson's own value, 90"},
         {"model = 'weld'\n[process]\nprocess = 'smaw'\n[choose]\nelectrode = { from = 0, to = 1 }\n",
          "bad.toml:5: ", "expected a setting that is one"},
-        {"[choose]\ncurrent = { from = 1, to = 2 }\n", "bad.toml:1: ", "unknown key"}, // classic
+        {"[choose]\ncurrent = { from = 1, to = 2 }\n", "bad.toml:1: ", "unknown key"}, // classic lesson
         {"[technique]\nlength_from_mm = 0\n", "bad.toml:1: ", "unknown key"},          // the classic model has no seam
         {"title = 'x'\n[[picture]]\nname = '../evil'\n", "bad.toml:3: ", "expected letters"},
         {"title = 'x'\n[[picture]]\nname = 'a'\n[[picture]]\nname = 'a'\n", "bad.toml:5: ", "stands twice"},
@@ -264,7 +265,7 @@ TEST_CASE("an unknown lesson is refused with the names that there are", "[traini
 TEST_CASE("damaged lessons are refused with their file or give values in range", "[training]") {
     std::string whole = readTextFile(shippedLessons() / "classic.toml");
     const size_t torch = whole.find("torch = ");
-    whole.erase(torch, whole.find('\n', torch) - torch); // its path is not beside the damaged copy
+    whole.erase(torch, whole.find('\n', torch) - torch); // the path is not next to the damaged copy
     std::mt19937 random(5);
     const std::string letters = "0123456789.-e#\n \"[]=ax\xff";
     int taken = 0;

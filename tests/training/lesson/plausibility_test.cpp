@@ -1,4 +1,4 @@
-// Torch paths that can be read and weld nothing, and lessons that leave something out, are warned of.
+// Warnings about torch paths that are readable but weld nothing, and about incomplete lessons.
 #include "core/training/lesson/plausibility.hpp"
 
 #include "core/base/text.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 const std::filesystem::path kLessons = test::testFolder().parent_path() / "app" / "data" / "lessons";
 
-/// A straight path from `from` to `to` (mm) in `seconds`.
+/// Returns a straight path from `from` to `to` (mm) in `seconds`.
 TorchPath lineOf(const glm::vec3& from, const glm::vec3& to, double seconds, float trigger = 1) {
     std::vector<TorchSample> samples;
     for (int i = 0; i <= 20; ++i) {
@@ -59,10 +59,10 @@ TEST_CASE("a path that cannot weld the workpiece is warned of with the reason", 
     CHECK_THAT(world, containsText("lies wholly outside the workpiece: x from 1200 to 1260") &&
                           containsText("not those of a robot's world"));
     CHECK_THAT(warningsOf(bead, lineOf({-30, 3, 0}, {30, 3, 0}, 9000)), containsText("lasts 2.5 hours."));
-    CHECK(warningsOf(bead, lineOf({5, 3, 0}, {5, 3, 0}, 10)).empty()); // a spot
-    // Milliseconds whose thousands have a point: 8.4 s are read as 8.4 ms.
+    CHECK(warningsOf(bead, lineOf({5, 3, 0}, {5, 3, 0}, 10)).empty()); // a spot weld
+    // Milliseconds with a point for thousands: 8.4 s are read as 8.4 ms.
     CHECK_THAT(warningsOf(bead, lineOf({-30, 3, 0}, {30, 3, 0}, 0.0084)), containsText("travels at 7143 mm/s"));
-    // On a tee's plate, far from its corner.
+    // The path is on a tee's plate, far from its corner.
     CHECK_THAT(warningsOf("tee-fillet", lineOf({-20, 3, 24}, {20, 3, 24}, 10)),
                containsText("never comes within 20 mm of the joint's seam"));
 }
@@ -75,7 +75,7 @@ TEST_CASE("a trigger that is pulled after the run's end is warned of", "[trainin
     samples[1].trigger = 1;
     lesson.torch = TorchPath(samples);
     lesson.run.seconds = 20;
-    CHECK(pathWarnings(lesson, true).empty()); // a person who asks for 20 s knows
+    CHECK(pathWarnings(lesson, true).empty()); // 20 s are deliberate
     REQUIRE(pathWarnings(lesson).size() == 1);
     CHECK_THAT(pathWarnings(lesson)[0], containsText("pulls the trigger at 50 s, and the run ends at 20 s"));
 }

@@ -1,4 +1,4 @@
-// A bent path: each bend changes what it names and nothing else.
+// Bends of a path: each changes its own quantity alone.
 #include "core/training/lesson/torch_bend.hpp"
 #include "tests/support/catch.hpp"
 
@@ -10,7 +10,7 @@ using namespace meltpool;
 
 namespace {
 
-/// Straight down along +x at 5 mm/s, 3 mm over a plate.
+/// Returns a path straight down along +x at 5 mm/s, 3 mm over a plate.
 TorchPath straightPath() {
     std::vector<TorchSample> samples(2);
     for (size_t i = 0; i < 2; ++i) {
@@ -45,7 +45,7 @@ TEST_CASE("a bend in time, distance, angle and place changes that and nothing el
     const double turn = 0.5;
     const TorchSample turned = bent({.turn = turn}, 4);
     CHECK(turned.tip.x == Approx(plain.tip.x));
-    CHECK(std::hypot(turned.tip.y, turned.tip.z) == Approx(0.003).epsilon(1e-4)); // about the seam
+    CHECK(std::hypot(turned.tip.y, turned.tip.z) == Approx(0.003).epsilon(1e-4)); // rotation about the seam
     CHECK(turned.tip.z > 0);                                                      // the handle leans to the welder
     CHECK(glm::dot(turned.axis(), plain.axis()) == Approx(std::cos(turn)).epsilon(1e-5));
     CHECK(turned.trigger == 1);
@@ -68,6 +68,6 @@ TEST_CASE("a tremor has its size and repeats by its seed", "[training][check]") 
         differs = differs || shaken.tip != two.sample(time).tip;
     }
     CHECK(std::sqrt(square / kSamples) == Approx(3e-4).epsilon(0.1));
-    CHECK(std::sqrt(angle / kSamples) == Approx(0.035 * std::sqrt(2.0)).epsilon(0.1)); // of two axes
+    CHECK(std::sqrt(angle / kSamples) == Approx(0.035 * std::sqrt(2.0)).epsilon(0.1)); // sum of two axes
     CHECK(differs);
 }

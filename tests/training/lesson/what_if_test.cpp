@@ -1,4 +1,4 @@
-// What is asked of a what-if: keys, units, ranges, and what of a record it replaces.
+// Wishes of a what-if: keys, units, ranges, and their replacements in a record.
 #include "core/base/error.hpp"
 #include "core/training/lesson/what_if.hpp"
 #include "tests/support/catch.hpp"

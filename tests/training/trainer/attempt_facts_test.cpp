@@ -1,4 +1,4 @@
-// What a record's notes tell of the help that the hand had.
+// The help that the hand had, according to a record's notes.
 #include "core/training/lesson/recorded_attempt.hpp"
 #include "core/training/trainer/result_file.hpp"
 #include "tests/support/catch.hpp"

@@ -1,4 +1,4 @@
-// The bodies of a lesson's metal as a mesh: the plate that was laid, whatever grid the pictures have.
+// The bodies of a lesson's metal as a mesh: the original plate, independent of the pictures' grid.
 #include "core/surface/mesh_bodies.hpp"
 #include "core/training/trainer/body_mesh.hpp"
 #include "core/training/trainer/trainer.hpp"
@@ -28,9 +28,9 @@ MeshCopy bodiesOf(const Trainer& trainer) {
 }
 
 struct Measures {
-    double above = 0;                ///< area seen from above, with every layer counted, mm²
+    double above = 0;                ///< area seen from above over all layers, mm²
     double volume = 0;               ///< mm³
-    size_t inward = 0;               ///< triangles one of whose vertices' normals points inwards
+    size_t inward = 0;               ///< triangles with a vertex normal that points inwards
     glm::dvec3 low{1e9}, high{-1e9}; ///< mm
 };
 
@@ -52,7 +52,7 @@ Measures measure(const MeshCopy& mesh) {
     return m;
 }
 
-/// Every side belongs to two triangles that go along it in opposite directions.
+/// True if every side belongs to two triangles that use it in opposite directions.
 bool isClosed(const MeshCopy& mesh) {
     std::map<std::pair<unsigned, unsigned>, int> sides;
     for (size_t i = 0; i < mesh.indices.size(); ++i)
@@ -69,13 +69,13 @@ TEST_CASE("a plate's mesh is the plate, in a grid of pictures that makes a spong
     for (const float spacing : {1.0F, 0.5F}) {
         INFO("spacing " << spacing);
         Lesson lesson = smallPlate(spacing);
-        lesson.surface.caps = false; // a file's mesh is closed all the same
+        lesson.surface.caps = false; // a file's mesh is closed even without caps
         const Trainer trainer(test::shaders(), lesson);
         const MeshCopy mesh = bodiesOf(trainer);
         const Measures m = measure(mesh);
         CHECK(m.above == Approx(480).epsilon(0.03));
         CHECK(m.volume == Approx(1920).epsilon(0.05));
-        CHECK(m.inward < mesh.indices.size() / 3 / 100); // beside an edge a normal may lean over it
+        CHECK(m.inward < mesh.indices.size() / 3 / 100); // a normal may lean over an edge next to it
         CHECK(isClosed(mesh));
         CHECK(m.low.x == Approx(-12).margin(0.25));
         CHECK(m.high.x == Approx(12).margin(0.25));
@@ -110,7 +110,7 @@ TEST_CASE("y of the mesh points up where the plate hangs overhead", "[training]"
     const Measures m = measure(bodiesOf(hanging));
     CHECK(m.above == Approx(480).epsilon(0.03));
     CHECK(m.volume == Approx(1920).epsilon(0.05));
-    CHECK(m.high.y == Approx(4).margin(0.25)); // its face, at the origin, looks down
+    CHECK(m.high.y == Approx(4).margin(0.25)); // its face, at the origin, points down
     CHECK(m.low.y == Approx(0).margin(0.25));
 }
 

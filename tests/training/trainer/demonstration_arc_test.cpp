@@ -1,4 +1,4 @@
-// What the shipped demonstrations do with the program's own arc: it strikes, and burns as its machine is set to.
+// The shipped demonstrations with the program's own arc: it strikes and burns as the machine is set.
 #include "core/training/lesson/lesson.hpp"
 #include "core/weld/process/weld.hpp"
 #include "core/weld/process/weld_constants.hpp"
@@ -15,8 +15,8 @@ std::filesystem::path dataFolder() {
     return test::testFolder().parent_path() / "app" / "data";
 }
 
-/// Share of each of the arc's states over the steps with the trigger pulled, from half a second after the first of them
-/// on.
+/// Returns the share of each of the arc's states over the steps with the trigger pulled, from half a second after the
+/// first of them on.
 std::map<ArcAction, double> statesOf(const Lesson& lesson, double seconds) {
     Weld weld(test::shaders(), readMaterial(dataFolder() / "materials" / (lesson.workpiece.metal + ".toml")),
               makeWorkpiece(lesson.workpiece), lesson.process);
@@ -36,8 +36,8 @@ std::map<ArcAction, double> statesOf(const Lesson& lesson, double seconds) {
     return counts;
 }
 
-/// V that are left for the arc's column at the set stick-out, where the wire melts as fast as it comes: an open arc
-/// above 0, short circuits below.
+/// Returns the voltage (V) left for the arc's column at the set stick-out, where the wire melts as fast as it is fed:
+/// an open arc above 0, short circuits below.
 double voltageOfColumn(const GmawSettings& gmaw) {
     const WireMelting wire = WireMelting::steel(static_cast<double>(gmaw.wireDiameterMm) * 1e-3);
     const double current =
@@ -58,7 +58,7 @@ TEST_CASE("every arc lesson's demonstration welds with the arc that its machine 
         CHECK(states[ArcAction::stubbed] == 0);
         CHECK(states[ArcAction::out] == 0);
         CHECK(states[ArcAction::breaking] < 0.05);
-        // Dip transfer has 20 to 200 short circuits a second: an arc at the border between both burns in part of the
+        // Dip transfer has 20 to 200 short circuits a second: an arc at the border of both modes burns in part of the
         // steps.
         if (voltageOfColumn(lesson.process.of<Gmaw>()) > 0)
             CHECK(states[ArcAction::burning] > 0.9);

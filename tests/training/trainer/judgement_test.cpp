@@ -1,5 +1,4 @@
-// The judgement of a real attempt: technique, measured weld and verdict of the same metal, and how result.json tells
-// them.
+// The judgement of a real attempt: technique, measured weld and verdict of one metal, and their form in result.json.
 #include "core/base/text.hpp"
 #include "core/training/trainer/result_file.hpp"
 #include "tests/support/catch.hpp"
@@ -16,7 +15,7 @@ namespace {
 
 constexpr float kSpeed = 6e-3f; // m/s
 
-/// A bead on a small plate, with bands for a torch that is led as `torchAt` leads it.
+/// Returns a bead on a small plate, with bands for the torch of `torchAt`.
 Lesson smallBead() {
     Lesson lesson = findLesson("gmaw-bead", test::testFolder().parent_path() / "app" / "data" / "lessons");
     lesson.workpiece.lengthMm = 30;
@@ -30,7 +29,7 @@ Lesson smallBead() {
     return lesson;
 }
 
-/// Straight down, 3 mm over the plate, from x = -10 mm on; `aside` m beside the seam.
+/// Returns a torch straight down, 3 mm over the plate, from x = -10 mm on; `aside` m from the seam.
 TorchSample torchAt(double time, float speed, float aside) {
     TorchSample torch;
     torch.time = time;
@@ -102,7 +101,7 @@ TEST_CASE("an attempt is judged: the hand by the lesson's bands, the weld by the
     CHECK(json.at("score").at("wanted_mm") == 20);
     CHECK(json.at("weld").at("height_mm").get<double>() == Approx(*judged.weld->mean.height * 1e3));
     CHECK(json.at("weld").contains("penetration_mm"));
-    CHECK_FALSE(json.at("weld").contains("leg1_mm")); // of fillets
+    CHECK_FALSE(json.at("weld").contains("leg1_mm")); // a key of fillets
 
     SECTION("another attempt begins without the first") {
         trainer.reset();

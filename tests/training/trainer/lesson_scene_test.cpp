@@ -1,4 +1,4 @@
-// The scene of a lesson: surface, solids and particles of its metal, and where the tip finds the surface.
+// The scene of a lesson: surface, solids and particles of its metal, and the surface distance at the tip.
 #include "core/training/trainer/lesson_scene.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
@@ -29,7 +29,7 @@ void repeat(Trainer& trainer, const TorchSample& torch, int steps) {
         trainer.advance(torch, nullptr);
 }
 
-/// A torch that points straight down.
+/// Returns a torch that points straight down.
 TorchSample upright(const glm::vec3& tip) {
     TorchSample torch;
     torch.tip = tip;
@@ -37,7 +37,7 @@ TorchSample upright(const glm::vec3& tip) {
     return torch;
 }
 
-/// The GMAW lesson on a plate of 24x20 mm.
+/// Returns the GMAW lesson on a plate of 24x20 mm.
 Lesson smallBead() {
     Lesson lesson = findLesson("gmaw-bead", test::testFolder().parent_path() / "app" / "data" / "lessons");
     lesson.workpiece.lengthMm = 24;
@@ -114,7 +114,7 @@ TEST_CASE("the tip is told how far the metal is and whether it is liquid, in met
     LessonScene scene(test::shaders(), trainer);
     scene.updateSurface(nullptr);
     TorchSample over = upright({0, 0.03f, 0});
-    // The cube reaches to 20 mm, and what is shown of it at this iso level a grid cell of 1.25 mm farther.
+    // The cube reaches to 20 mm, and its surface at this iso level a grid cell of 1.25 mm farther.
     SurfaceDistance metal = scene.distanceNow(over);
     CHECK(metal.ahead == Approx(0.009).margin(0.0015));
     CHECK(metal.nearest == Approx(metal.ahead).epsilon(0.1));

@@ -1,4 +1,4 @@
-// No metal leaves the space in a shipped demonstration.
+// Loss of metal from the space: none in the shipped demonstrations.
 #include "core/training/lesson/lesson.hpp"
 #include "core/weld/process/weld.hpp"
 #include "tests/support/catch.hpp"
@@ -10,7 +10,7 @@ using namespace meltpool;
 
 namespace {
 
-/// Most particles that were lost at one moment of the lesson's whole demonstration.
+/// Returns the largest number of lost particles at any moment of the lesson's demonstration.
 size_t mostLost(const Lesson& lesson) {
     const auto materials = test::testFolder().parent_path() / "app" / "data" / "materials";
     Weld weld(test::shaders(), readMaterial(materials / (lesson.workpiece.metal + ".toml")),
@@ -32,7 +32,7 @@ Lesson shippedLesson(const std::string& name) {
 
 TEST_CASE("the solder lessons lose no metal: drops between table and cube, a bar that falls", "[training]") {
     Lesson cube = shippedLesson("solder-cube");
-    cube.workpiece.spacingMm = 2; // fast, and squeezed drops are as frequent
+    cube.workpiece.spacingMm = 2; // faster, with equally frequent squeezed drops
     CHECK(mostLost(cube) == 0);
     Lesson bridge = shippedLesson("solder-bridge");
     bridge.workpiece.spacingMm = 2;

@@ -1,5 +1,5 @@
-// The record of an attempt: a torch path that reads back to the same bits, events and changes between its rows, and
-// what happens on a full disk.
+// The record of an attempt: a torch path that reads back to its bits, events and changes between its rows, and
+// behaviour on a full disk.
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "core/training/lesson/lesson.hpp"
@@ -43,7 +43,7 @@ TEST_CASE("a record is a torch path with the metal's figures behind", "[training
         Record record(file, headOf("classic"), true, false);
         for (int i = 1; i <= 100; ++i) {
             record.add({sampleAt(i), {}, 1});
-            // Figures come two steps later.
+            // Figures arrive two steps later.
             if (i > 2) record.complete(metalWith(static_cast<size_t>(i - 2)));
         }
         CHECK(record.waiting() == 2);
@@ -89,14 +89,14 @@ TEST_CASE("what happened between the steps stands between the rows, and is read 
     CHECK(attempt->ended == "reset");
     CHECK(attempt->stateHash == "0000000000000abc");
     REQUIRE(attempt->realTime);
-    CHECK(*attempt->realTime == Approx(2.0 / 3)); // a step at full and one at half speed
+    CHECK(*attempt->realTime == Approx(2.0 / 3)); // one step at full and one at half speed
     REQUIRE(attempt->values.size() == 2);
     CHECK(attempt->values[1].value == "0,-9.81,0");
     REQUIRE(attempt->changes.size() == 1);
     CHECK(attempt->changes[0].key == "solidify_rate");
     CHECK(attempt->changes[0].value == "0.5");
     CHECK(attempt->changes[0].steps == 1);
-    // Events stand where they happened: after the first row and before the second; the last one after both.
+    // Events are at their places: after the first row and before the second; the last one after both.
     const size_t second = text.find("\n" + formatNumber(sampleAt(2).time) + ",");
     REQUIRE(second != std::string::npos);
     CHECK(text.find("# event zoom 2\n") < second);

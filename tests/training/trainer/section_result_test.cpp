@@ -1,4 +1,4 @@
-// The section of a result is the one that validation measures, number by number, and every weld lesson has one.
+// The section of a result: equal to validation's measurement, number by number, and present for every weld lesson.
 #include "core/base/text.hpp"
 #include "core/training/trainer/result_file.hpp"
 #include "core/training/trainer/weld_model.hpp"
@@ -16,7 +16,7 @@ Lesson shipped(const std::string& name) {
     return findLesson(name, test::testFolder().parent_path() / "app" / "data" / "lessons");
 }
 
-/// A small plate under a torch that stands still over its middle.
+/// Returns a small plate under a stationary torch over its middle.
 Lesson smallBead() {
     Lesson lesson = shipped("gmaw-bead");
     lesson.workpiece.lengthMm = 20;
@@ -80,13 +80,13 @@ TEST_CASE("every weld lesson has a section, whether or not a picture cuts it; on
         REQUIRE(section);
         CHECK(section->cut.at() == Approx(name == "solder-cube" ? 0.014 : 0).margin(1e-6));
         CHECK(section->figures.layers > 0);
-        CHECK(section->figures.fusion.area == 0); // nothing has been welded
+        CHECK(section->figures.fusion.area == 0); // no metal is welded yet
         const Json json = written(lesson, section).at("section");
         CHECK(json.contains("heat_affected") == steel);
         CHECK(json.contains("heat_affected_depth_mm") == steel);
         CHECK(json.contains("height_mm") == (name != "tee-fillet"));
         CHECK(json.contains("root_fusion_mm") == (name == "tee-fillet"));
-        CHECK_FALSE(json.contains("leg_lying_mm")); // a bare corner
+        CHECK_FALSE(json.contains("leg_lying_mm")); // a corner without weld
         CHECK(json.at("fusion").size() == 4);
         lesson.pictures = {{"plain", lesson.look, lesson.camera}};
         CHECK(Trainer(test::shaders(), lesson).section()->cut.at() == Approx(0).margin(1e-6));

@@ -1,6 +1,5 @@
-// The first and second law over every shipped lesson and over torches where no lesson has them: nothing gets colder
-// than the coldest thing there was, nothing hotter than its source or than boiling metal, and heat and wire go where
-// the torch is.
+// The first and second law over every shipped lesson and over torches outside lessons: no metal gets colder than the
+// coldest, hotter than its source or hotter than boiling, and heat and wire arrive at the torch.
 #include "core/training/lesson/lesson.hpp"
 #include "core/weld/process/weld.hpp"
 #include "tests/support/catch.hpp"
@@ -16,17 +15,17 @@ using namespace meltpool;
 namespace {
 
 constexpr float kMm = 1e-3F;
-/// K that float arithmetic may be off.
+/// Tolerance of float arithmetic, K.
 constexpr double kRounding = 0.05;
-/// K that metal under an arc may be above its boiling point: the vapour that leaves takes the heat along, and the more
-/// the hotter the metal.
+/// Permitted excess (K) of metal under an arc over its boiling point: the vapour carries heat away, and more so from
+/// hotter metal.
 constexpr double kOverBoiling = 250;
 
 std::filesystem::path dataFolder() {
     return test::testFolder().parent_path() / "app" / "data";
 }
 
-/// Lowest and highest temperature that a run showed, K.
+/// Lowest and highest temperature of a run, K.
 struct Bounds {
     double low = 1e9, high = 0;
     size_t lost = 0, nonFinite = 0;
@@ -53,7 +52,7 @@ Bounds boundsOf(Weld& weld, double seconds, const Torch& torchAt) {
     return bounds;
 }
 
-/// A short plate, which is enough for the first seconds.
+/// Shortens the plate to the length needed in the first seconds.
 void shorten(Lesson& lesson) {
     if (lesson.workpiece.kind == static_cast<int>(WorkpieceKind::Plate) ||
         lesson.workpiece.kind == static_cast<int>(WorkpieceKind::Tee))
@@ -63,8 +62,8 @@ void shorten(Lesson& lesson) {
 struct Place {
     const char* name;
     glm::vec3 tipMm;
-    double pitch; ///< rad from pointing straight down
-    bool heats;   ///< whether the metal may take up any heat
+    double pitch; ///< angle from pointing straight down, rad
+    bool heats;   ///< true if the metal may take up any heat
 };
 
 const Place kPlaces[] = {
@@ -107,7 +106,7 @@ ProcessSettings processNamed(size_t kind) {
     return settings;
 }
 
-/// K that nothing in this weld may exceed.
+/// Returns the upper bound (K) of all temperatures in this weld.
 double hottestAllowed(const ProcessSettings& process, const Material& material) {
     if (process.is<SolderingIron>()) {
         ProcessSettings copy = process;
@@ -116,19 +115,19 @@ double hottestAllowed(const ProcessSettings& process, const Material& material) 
     return material.boilingPoint + kOverBoiling;
 }
 
-/// Welds the lesson's demonstration for a while. Nothing where the lesson has no weld.
+/// Welds the lesson's demonstration for a while; no-op for a lesson without a weld.
 void checkBounds(const std::string& name) {
     Lesson lesson = findLesson(name, dataFolder() / "lessons");
     if (lesson.model != LessonModel::Weld) return;
     shorten(lesson);
     const Material material = metalNamed(lesson.workpiece.metal);
     Weld weld(test::shaders(), material, makeWorkpiece(lesson.workpiece), lesson.process);
-    const double start = 1.0; // the torch comes near in the first second
+    const double start = 1.0; // the torch approaches in the first second
     const Bounds bounds =
         boundsOf(weld, 2.5, [&](double time) { return lesson.torch.sample(time < 1e-3 ? 0 : time + start * 0.2); });
     INFO(name << ": " << bounds.low << " to " << bounds.high << " K");
     CHECK(bounds.low > std::min(293.15, static_cast<double>(lesson.workpiece.temperatureC) + 273.15) - kRounding);
-    CHECK(bounds.high > 400); // it was heated at all
+    CHECK(bounds.high > 400); // the metal was heated
     CHECK(bounds.high < material.boilingPoint + kOverBoiling);
     CHECK(bounds.nonFinite == 0);
 }

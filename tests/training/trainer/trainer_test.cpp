@@ -1,4 +1,4 @@
-// The Trainer on the classic lesson: a corner melts and freezes again, nothing else does, and runs repeat bit by bit.
+// The Trainer on the classic lesson: only the heated corner melts and freezes again, and runs repeat bit by bit.
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "core/training/trainer/classic_model.hpp"
@@ -35,7 +35,7 @@ void repeat(Trainer& trainer, const TorchSample& torch, int steps) {
         trainer.advance(torch, nullptr);
 }
 
-/// The hottest particle in the octant of the box that `side` points into, by the start's places.
+/// Returns the hottest particle in the octant of the box that `side` points into, by the start's places.
 float hottestNear(const Trainer& trainer, float side) {
     const ParticleView particles = trainer.metal().particles();
     float hottest = 0;
@@ -44,7 +44,7 @@ float hottestNear(const Trainer& trainer, float side) {
     return hottest;
 }
 
-/// A torch that points straight down.
+/// Returns a torch that points straight down.
 TorchSample upright(const glm::vec3& tip) {
     TorchSample torch;
     torch.tip = tip;
@@ -52,7 +52,7 @@ TorchSample upright(const glm::vec3& tip) {
     return torch;
 }
 
-/// The GMAW lesson on a plate of 24x20 mm.
+/// Returns the GMAW lesson on a plate of 24x20 mm.
 Lesson smallBead() {
     Lesson lesson = findLesson("gmaw-bead", test::testFolder().parent_path() / "app" / "data" / "lessons");
     lesson.workpiece.lengthMm = 24;
@@ -150,13 +150,13 @@ TEST_CASE("each row of a record has the figures of its own step", "[training]") 
     REQUIRE(recording.samples.size() == means.size());
     for (size_t i = 0; i < means.size(); ++i)
         CHECK(recording.furtherCells[i][2] == means[i]);
-    CHECK(means.back() != means[means.size() - 2]); // figures that lag would be seen
+    CHECK(means.back() != means[means.size() - 2]); // late figures would be detected
 }
 
 TEST_CASE("an attempt whose values changed on the way is repeated from its record to the same bits", "[training]") {
     const auto file = test::scratchFolder("changes") / "record.csv";
     Trainer trainer(test::shaders(), smallLesson());
-    trainer.change("solidify_rate", "0", "a menu"); // before the record: a value at its start
+    trainer.change("solidify_rate", "0", "a menu"); // before the record: a start value
     trainer.record(file);
     for (int i = 0; i < 60; ++i) {
         if (i == 20) trainer.change("heat_temperature", "0.2", "a menu");
@@ -212,7 +212,7 @@ TEST_CASE("a weld whose current changed under the arc is repeated to the same bi
         for (size_t i = 0; i < again.recorded->rows; ++i)
             replay.advanceDemonstration(nullptr);
         CHECK(formatHexadecimal(replay.result().stateHash) == attempt->stateHash);
-        replay.reset(); // the recorded change is taken back
+        replay.reset(); // takes back the recorded change
     }
 }
 
@@ -259,7 +259,7 @@ TEST_CASE("a replay of an attempt that lost its torch or samples is not scored, 
     CHECK_FALSE(first.score->scored);
     CHECK_FALSE(second.score->scored);
     CHECK(second.score->reason == first.score->reason);
-    CHECK(readRecordedAttempt(copy)->events.size() == attempt->events.size()); // of the replay's record, too
+    CHECK(readRecordedAttempt(copy)->events.size() == attempt->events.size()); // of the replay's record too
 }
 
 TEST_CASE("a disk that is full in mid-attempt ends the record, not the weld", "[training]") {
@@ -290,7 +290,7 @@ TEST_CASE("an arc that goes out stands in the record with the process's reason, 
     };
     hold(3, 1, 20);
     REQUIRE(trainer.arc().burns());
-    hold(3, 0, 5); // let go: that is no news
+    hold(3, 0, 5); // the release is not an event
     hold(3, 1, 5);
     hold(20, 1, 10);
     CHECK(trainer.arc().noArc == NoArc::tooLong);

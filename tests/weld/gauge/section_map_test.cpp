@@ -1,4 +1,4 @@
-// The map of a cut: which places it shows as metal.
+// The map of a cut: the places that it shows as metal.
 #include "core/weld/gauge/section_map.hpp"
 #include "tests/support/catch.hpp"
 
@@ -11,7 +11,7 @@ namespace {
 constexpr float kSpacing = 1e-3F;
 constexpr glm::ivec2 kCells{30, 16};
 
-/// Metal in the cells that `holds` says, two lattice layers of it.
+/// Returns a map with metal in the cells for which `holds` is true, two lattice layers thick.
 SectionMap mapOf(const std::function<bool(int, int)>& holds, const std::function<bool(int, int)>& onLattice) {
     std::vector<MapParticle> particles;
     for (int layer = 0; layer < 2; ++layer)

@@ -1,4 +1,4 @@
-// Zones of one slice against fields whose zones are known, to a small part of a cell.
+// Zones of one slice against fields with known zones, to a small part of a cell.
 #include "core/weld/gauge/section_slice.hpp"
 #include "tests/support/catch.hpp"
 
@@ -15,7 +15,7 @@ namespace {
 constexpr std::array<glm::ivec2, 2> kUpAndOut{{{0, 1}, {1, 0}}};
 constexpr double kPi = 3.14159265358979;
 
-/// Of a grid of 40 x 30 cells: places in cells from the edge between columns 19 and 20 and the top of row 19.
+/// A region of a grid of 40 x 30 cells: places in cells from the edge between columns 19 and 20 and the top of row 19.
 using Held = std::function<bool(glm::dvec2)>;
 using Field = std::function<double(glm::dvec2)>;
 
@@ -29,11 +29,11 @@ SectionSlice sliceOf(const Held& held, const Field& peak) {
     return slice;
 }
 
-/// A strip of cells at the side of a zone counts by its middle: what the zone takes of it beside that is not seen. It
-/// takes less than a cell at each side.
+/// A strip of cells at the side of a zone counts by its middle; the rest of the zone's extent is invisible. The extent
+/// is less than a cell at each side.
 constexpr double kStripEnd = 0.9;
 
-/// That error has no sign, so that it goes away in the mean over zones.
+/// Mean of ratios: the strips' error has no sign and vanishes in the mean over zones.
 struct MeanRatio {
     void add(double measured, double exact) {
         sum += measured / exact;
@@ -53,7 +53,8 @@ bool tee(glm::dvec2 p) {
     return p.y < 0 || (p.x < 0 && p.x > -6);
 }
 
-/// Falls by 100 K a cell with the distance from the seam; the zone above 1800 K has the radius asked for.
+/// Returns a field that falls by 100 K a cell with the distance from the seam; the zone above 1800 K has the given
+/// radius.
 Field coneOf(double radius) {
     return [radius](glm::dvec2 p) { return 1800 + 100 * (radius - glm::length(p)); };
 }
@@ -65,13 +66,13 @@ TEST_CASE("the zone of a plate is measured to a small part of a cell", "[gauge]"
     for (double radius = 2; radius < 8; radius += 0.13) {
         INFO(radius);
         const SliceZone zone = measureZone(sliceOf(plate, coneOf(radius)), std::span(kUpAndOut).first(1), 1800);
-        const double besideSeam = std::sqrt(radius * radius - 0.25); // half a cell down, or half a cell beside the seam
+        const double besideSeam = std::sqrt(radius * radius - 0.25); // half a cell down, or half a cell from the seam
         CHECK(zone.width == Approx(2 * besideSeam).margin(0.03));
         CHECK(zone.depth == Approx(besideSeam).margin(0.03));
         CHECK(zone.area == Approx(0.5 * kPi * radius * radius).margin(2 * kStripEnd));
         area.add(zone.area, 0.5 * kPi * radius * radius);
         CHECK(zone.high.x - zone.low.x ==
-              Approx(2 * besideSeam).margin(0.35)); // cells just warm at the face count whole
+              Approx(2 * besideSeam).margin(0.35)); // barely warm cells at the face count whole
         CHECK(zone.high.y == 20);
         CHECK(zone.low.y == Approx(20 - zone.depth));
     }
@@ -83,9 +84,9 @@ TEST_CASE("the zone of a tee's corner is measured from both plates' surfaces", "
     for (double radius = 2; radius < 5.5; radius += 0.13) {
         INFO(radius);
         const SliceZone zone = measureZone(sliceOf(tee, coneOf(radius)), kUpAndOut, 1800);
-        const double leg = std::sqrt(radius * radius - 0.25); // half a cell beside the other plate's face
-        CHECK(zone.width == Approx(2 * radius).margin(0.35)); // at the faces, beyond what the cells know
-        CHECK(zone.depth == Approx(radius).margin(0.06));     // under the joint line, away from both surfaces
+        const double leg = std::sqrt(radius * radius - 0.25); // half a cell from the other plate's face
+        CHECK(zone.width == Approx(2 * radius).margin(0.35)); // at the faces, beyond the cells' resolution
+        CHECK(zone.depth == Approx(radius).margin(0.06));     // under the joint line, far from both surfaces
         CHECK(zone.area == Approx(0.75 * kPi * radius * radius).margin(2 * kStripEnd));
         area.add(zone.area, 0.75 * kPi * radius * radius);
         CHECK(zone.high.y == Approx(20 + leg).margin(0.2));
@@ -109,7 +110,7 @@ TEST_CASE("molten metal that has gone leaves the edges of the zone where they we
 }
 
 TEST_CASE("a zone less deep than half a cell is found", "[gauge]") {
-    // 1800 K at `depth` under the face, 100 K less each cell down; as wide as 6 cells to each side.
+    // The field has 1800 K at `depth` under the face, 100 K less each cell down; it is 6 cells wide to each side.
     const auto layer = [](double depth) {
         return [depth](glm::dvec2 p) { return std::abs(p.x) < 6 ? 1800 + 100 * (depth + p.y) : 300; };
     };
@@ -164,12 +165,12 @@ TEST_CASE("the zone's middle is where the hot surface is", "[gauge]") {
 }
 
 TEST_CASE("an elliptic pool has its axes as width and depth, at two resolutions", "[gauge]") {
-    // Half axes 3.2 and 2.1 mm, in cells of 1 and of 0.5 mm.
+    // The half axes are 3.2 and 2.1 mm, in cells of 1 and of 0.5 mm.
     for (const double cells : {1.0, 2.0}) {
         const double a = 3.2 * cells, b = 2.1 * cells;
         const Field pool = [&](glm::dvec2 p) { return 1800 + 100 * b * (1 - std::hypot(p.x / a, p.y / b)); };
         const SliceZone zone = measureZone(sliceOf(plate, pool), std::span(kUpAndOut).first(1), 1800);
-        CHECK(zone.width == Approx(2 * a * std::sqrt(1 - 0.25 / (b * b))).margin(0.05)); // half a cell down
+        CHECK(zone.width == Approx(2 * a * std::sqrt(1 - 0.25 / (b * b))).margin(0.05)); // depth of half a cell
         CHECK(zone.width / cells == Approx(6.4).margin(0.2 / cells));
         CHECK(zone.depth == Approx(b).margin(0.06));
         CHECK(zone.area == Approx(0.5 * kPi * a * b).epsilon(0.1 / cells));
@@ -184,13 +185,13 @@ TEST_CASE("root fusion is the length along the joint that both plates are fused 
         const Field cone = coneOf(radius);
         CHECK(rootFusion(sliceOf(tee, cone), {20, 20}, 1800) == Approx(std::sqrt(radius * radius - 0.25)).margin(0.1));
         const auto gone = [&](glm::dvec2 p) { return cone(p) >= 1800 ? SectionSlice::kGone : cone(p); };
-        if (radius < 4) // beyond, the standing plate has too few cells left for a slope
+        if (radius < 4) // with larger radii the upright plate has too few cells for a slope
             CHECK(rootFusion(sliceOf(tee, gone), {20, 20}, 1800) ==
                   Approx(std::sqrt(radius * radius - 0.25)).margin(0.2));
     }
-    // A standing plate that stays cold has nothing fused to it, nor has a corner less hot than the level.
+    // A cold upright plate has no fusion, nor has a corner colder than the level.
     const Field lyingOnly = [](glm::dvec2 p) { return p.y > 0 ? 300.0 : coneOf(4)(p); };
     CHECK(rootFusion(sliceOf(tee, lyingOnly), {20, 20}, 1800) == 0);
     CHECK(rootFusion(sliceOf(tee, coneOf(-0.2)), {20, 20}, 1800) == 0);
-    CHECK(rootFusion(sliceOf(tee, coneOf(30)), {20, 20}, 1800) == Approx(6)); // through the standing plate
+    CHECK(rootFusion(sliceOf(tee, coneOf(30)), {20, 20}, 1800) == Approx(6)); // through the upright plate
 }

@@ -11,7 +11,7 @@ using namespace meltpool;
 
 namespace {
 
-/// The ending of a figure's key in files.
+/// Returns the ending of a figure's key in files.
 std::string endingOf(std::string_view unit) {
     if (unit == "%") return "_percent";
     return unit.empty() ? "" : "_" + std::string(unit);
@@ -44,7 +44,7 @@ TEST_CASE("every member of a station has one row, whose key names the unit", "[f
     for (const WeldFigure& figure : stationFigures()) {
         INFO(figure.key);
         REQUIRE(figure.member != nullptr);
-        CHECK(&stationFigure(figure.member) == &figure); // no other row has its member
+        CHECK(&stationFigure(figure.member) == &figure); // each member has a single row
         CHECK(findStationFigure(figure.key) == &figure);
         CHECK(keys.insert(figure.key).second);
         CHECK(figure.key.ends_with(endingOf(figure.unit)));
@@ -55,7 +55,7 @@ TEST_CASE("every member of a station has one row, whose key names the unit", "[f
     }
     CHECK(stationFigure(&WeldStation::height).name() == "reinforcement");
     CHECK(stationFigure(&WeldStation::height).panelWords() == "height over the plate");
-    CHECK(stationFigure(&WeldStation::height).pageWords() == "reinforcement"); // has no words of its own there
+    CHECK(stationFigure(&WeldStation::height).pageWords() == "reinforcement"); // uses the general words
     CHECK(stationFigure(&WeldStation::middle).drawnWords().empty());
     for (const WeldFigure& figure : wholeWeldFigures())
         CHECK_FALSE(figure.name().empty());
@@ -73,9 +73,9 @@ TEST_CASE("every imperfection has one row with a name", "[figures]") {
         CHECK((each.unit == "mm" || each.unit == "deg"));
         CHECK(each.standard.number.empty() == each.standard.name.empty());
         CHECK(each.standard.number.find_first_not_of("0123456789, ") == std::string_view::npos);
-        CHECK((each.judged == nullptr || each.judgedWhole == nullptr)); // of a station or of the whole weld
+        CHECK((each.judged == nullptr || each.judgedWhole == nullptr)); // belongs to a station or to the whole weld
         if (each.estimate.empty()) continue;
-        CHECK_FALSE(each.isMeasured()); // what the metal contains is measured
+        CHECK_FALSE(each.isMeasured()); // imperfections inside the metal are not measured
         CHECK(findImperfection(each.estimate) != nullptr);
     }
     CHECK(imperfectionName("not_filled_up") == "not filled up");
@@ -84,7 +84,7 @@ TEST_CASE("every imperfection has one row with a name", "[figures]") {
 
 TEST_CASE("an imperfection is the worse side in millimetres, with the width of its limit", "[figures]") {
     CHECK(judged("overlap")->value == Approx(0.8));
-    CHECK(judged("undercut")->value == Approx(0.3)); // the other side has none
+    CHECK(judged("undercut")->value == Approx(0.3)); // the other side has no undercut
     CHECK(judged("undercut")->width == Approx(7));
     CHECK(judged("toe_angle")->value == Approx(180 - 2 * 57.29578));
     CHECK(judged("unequal_legs")->value == Approx(1.5));

@@ -1,5 +1,4 @@
-// Sections of metal whose zones are known: on plates and in corners, in part off the lattice, empty and beside the
-// metal.
+// Sections of metal with known zones: on plates and in corners, in part off the lattice, empty, and outside the metal.
 #include "core/base/error.hpp"
 #include "core/weld/gauge/weld_section.hpp"
 #include "core/weld/workpiece/workpiece.hpp"
@@ -45,7 +44,7 @@ struct Heated {
     Workpiece piece;
 };
 
-/// 1800 K at `radius` (m) from the seam's line, 1e5 K less each metre outwards.
+/// Returns a field of 1800 K at `radius` (m) from the seam's line, 1e5 K less each metre outwards.
 std::function<float(glm::vec3)> coneOf(float radius) {
     return [radius](glm::vec3 p) { return 1800 + 1e5F * (radius - std::hypot(p.y, p.z)); };
 }
@@ -66,12 +65,13 @@ TEST_CASE("a section is measured from the highest temperatures, on the lattice o
     const MetalLattice lattice = MetalLattice::covering({0, -8 * kSpacing, -12 * kSpacing},
                                                         {8 * kSpacing, 4 * kSpacing, 12 * kSpacing}, kSpacing);
     auto seeds = latticeSeeds(lattice, lattice.low, {8 * kSpacing, 0, 12 * kSpacing}, 300);
-    // Peaks fall linearly from the seam: 2000 K there, 100 K less each millimetre across, 200 K each millimetre down.
+    // Peak temperatures fall linearly from 2000 K at the seam: 100 K each millimetre across, 200 K each millimetre
+    // down.
     for (MetalSeed& seed : seeds)
         seed.temperature = 2000 - 1e5F * std::abs(seed.position.z) + 2e5F * seed.position.y;
     const std::vector<MetalSeed> plate = seeds;
     REQUIRE(plate.size() == 8 * 8 * 24);
-    for (int i = 0; i < 8; ++i) // a bead of three rows and one on top of them
+    for (int i = 0; i < 8; ++i) // a bead of three rows with one row on top
         for (int j = -1; j <= 2; ++j) {
             const float x = (static_cast<float>(i) + 0.5F) * kSpacing;
             const glm::vec3 place = j < 2 ? glm::vec3(x, 0.5F * kSpacing, static_cast<float>(j) * kSpacing)
@@ -85,14 +85,16 @@ TEST_CASE("a section is measured from the highest temperatures, on the lattice o
     cut.heatAffected = 1000;
     const Section section = measureSection(state, plate, cut);
     CHECK(section.layers == 8);
-    CHECK(section.fusion.width * 1e3 == Approx(2 * (500.0 - 100) / 100).margin(0.05)); // at half a millimetre's depth
-    CHECK(section.fusion.depth * 1e3 == Approx(450.0 / 200).margin(0.05));             // half a millimetre off the seam
+    CHECK(section.fusion.width * 1e3 ==
+          Approx(2 * (500.0 - 100) / 100).margin(0.05));                   // at a depth of half a millimetre
+    CHECK(section.fusion.depth * 1e3 == Approx(450.0 / 200).margin(0.05)); // half a millimetre from the seam
     CHECK(section.heatAffected->depth * 1e3 == Approx(950.0 / 200).margin(0.05));
     CHECK(section.deposited * 1e6 == Approx(4));
-    // A bead three wide with one particle on its top: the crown is as high as two rows and rounded.
+    // A bead three wide with one particle on top has a rounded crown two rows high.
     REQUIRE(section.bead);
     CHECK(section.bead->height * 1e3 == Approx(1.75).margin(0.15));
-    CHECK(section.bead->toeWidth() * 1e3 == Approx(2.6).margin(0.5)); // of the rounded line, between one and three
+    CHECK(section.bead->toeWidth() * 1e3 ==
+          Approx(2.6).margin(0.5)); // width of the rounded line, between one and three
     CHECK(section.fusion.box.height == Approx(section.bead->height));
     REQUIRE(section.fusion.stretch);
     CHECK(section.fusion.stretch->length() == Approx(section.fusion.width));
@@ -101,7 +103,7 @@ TEST_CASE("a section is measured from the highest temperatures, on the lattice o
     CHECK_FALSE(section.rootFusion);
     CHECK(section.fusion.box.depth == Approx(section.fusion.depth));
     CHECK(section.fusion.box.area == Approx(section.fusion.area + section.deposited));
-    // The same when the molten part has left the lattice.
+    // The molten part is now off the lattice.
     auto phases = state.phase.read<uint>(state.particles());
     for (size_t i = 0; i < plate.size(); ++i)
         if (seeds[i].temperature > 1500) phases[i] &= ~PHASE_LATTICE;
@@ -109,7 +111,7 @@ TEST_CASE("a section is measured from the highest temperatures, on the lattice o
     const Section gone = measureSection(state, plate, cut);
     CHECK(gone.fusion.width == Approx(section.fusion.width).margin(1e-5));
     CHECK(gone.fusion.depth == Approx(section.fusion.depth).margin(1e-5));
-    // Metal that fell off without having melted is no fusion zone.
+    // Metal that fell off without melting is not part of the fusion zone.
     for (size_t i = 0; i < plate.size(); ++i)
         if (seeds[i].temperature < 1500) phases[i] &= ~PHASE_LATTICE;
     state.phase.write(std::span<const uint>(phases));
@@ -134,7 +136,7 @@ TEST_CASE("a tee's section follows both plates and has no height over one level"
     CHECK_FALSE(section.bead.has_value());
     CHECK(section.deposited * 1e6 == Approx(10));
     REQUIRE(section.fillet);
-    CHECK(section.fillet->toes[0].place * 1e3 == Approx(4.5).margin(0.3)); // the staircase's mean line
+    CHECK(section.fillet->toes[0].place * 1e3 == Approx(4.5).margin(0.3)); // mean line of the staircase
     CHECK(section.fillet->toes[1].place * 1e3 == Approx(4.5).margin(0.3));
     CHECK(section.fillet->throat * 1e3 == Approx(4.5 / std::sqrt(2.0)).margin(0.3));
     CHECK(section.fillet->area * 1e6 == Approx(10).margin(1));
@@ -165,7 +167,7 @@ TEST_CASE("every kind of workpiece has a section, and only level ones have a hei
         size_t layer = 0;
         for (const MetalSeed& seed : heated.piece.seeds)
             layer += seed.position.x > 0 && seed.position.x < kSpacing;
-        CHECK(section.fusion.area * 1e6 == Approx(layer)); // all of it
+        CHECK(section.fusion.area * 1e6 == Approx(layer)); // the whole layer
         CHECK(section.fusion.depth > 0);
         CHECK(middleOfWeld(state, heated.piece.seeds, 1800) == Approx(0).margin(1e-9));
     }
@@ -221,7 +223,7 @@ TEST_CASE("steel is asked for its heat-affected zone, solder is not", "[gauge]")
 
 TEST_CASE("a section has the bead's shape and where it lies over cold plate", "[gauge]") {
     test::context();
-    // An arc of 80 degrees and 3 mm height over a plate that is fused from -2 to 3 mm.
+    // The bead is an arc of 80 degrees and 3 mm height over a plate that is fused from -2 to 3 mm.
     const double angle = 80 * 3.14159265358979 / 180, radius = 3 / (1 - std::cos(angle)),
                  half = radius * std::sin(angle);
     const auto hot = [](glm::vec3 p) { return p.y > -1.2e-3F && p.z > -2e-3F && p.z < 3e-3F ? 1900.0F : 700.0F; };
@@ -291,7 +293,7 @@ TEST_CASE("a corner's section says which stretch of each face is fused", "[gauge
         CHECK(face.low == 0);
         CHECK(face.high * 1e3 == Approx(3.3).margin(0.15));
     }
-    // Heat on the lying plate only, 4 mm beside the corner.
+    // Only the base plate is heated, 4 mm from the corner.
     const Heated beside(WorkpieceKind::Tee,
                         [](glm::vec3 p) { return 1800 + 1e5F * (2e-3F - std::hypot(p.y, p.z - 4e-3F)); });
     const Section cold = measureSection(beside.state(), beside.piece.seeds, cutOf(-2e-3, 2e-3));
@@ -326,7 +328,7 @@ TEST_CASE("a butt's section says how far its edges are fused, and where it is op
     butt.piece = makeWorkpiece(p);
     for (MetalSeed& seed : butt.piece.seeds) // the edge on -z is hot down to 4.5 mm, the other one down to 2.5 mm
         seed.temperature = seed.position.y > (seed.position.z < 0 ? -4.5e-3F : -2.5e-3F) ? 1900.0F : 1700.0F;
-    std::vector<MetalSeed> metal; // fills the gap at x < 0 and hangs two rows under it and over it
+    std::vector<MetalSeed> metal; // metal that fills the gap at x < 0 and hangs two rows under and over it
     for (int i = 0; i < 8; ++i)
         for (int j = -8; j < 2; ++j)
             for (int k = -1; k < 1; ++k)
@@ -344,7 +346,7 @@ TEST_CASE("a butt's section says how far its edges are fused, and where it is op
     const Section open = measureSection(state, butt.piece.seeds, cutOf(2e-3, 6e-3));
     CHECK(open.hole * 1e3 == Approx(2));
     CHECK(open.root.height == 0);
-    // Fused all through.
+    // Both edges are fused all through.
     for (MetalSeed& seed : butt.piece.seeds)
         seed.temperature = 1900;
     const Section through = measureSection(butt.state(metal), butt.piece.seeds, cutOf(-6e-3, -2e-3));
@@ -379,7 +381,7 @@ TEST_CASE("the cooling time is that of the molten metal, once it has cooled", "[
     test::context();
     const Heated plate(WorkpieceKind::Plate, coneOf(3.3e-3F));
     MetalState state = plate.state();
-    CHECK_FALSE(measureSection(state, plate.piece.seeds, cutOf(-2e-3, 2e-3)).coolingTime); // still hot
+    CHECK_FALSE(measureSection(state, plate.piece.seeds, cutOf(-2e-3, 2e-3)).coolingTime); // the metal is still hot
     auto places = state.position.read<vec4>(state.particles());
     auto heats = state.heat.read<vec4>(state.particles());
     for (size_t i = 0; i < places.size(); ++i) {

@@ -1,5 +1,5 @@
 // Toes, widths, heights, angles, legs and throats of outlines with closed forms: drawn exactly, tilted, and made of
-// particles of 1 and 0.5 mm. Lengths in mm.
+// particles of 1 and 0.5 mm; lengths in mm.
 #include "core/weld/gauge/weld_faults.hpp"
 #include "core/weld/gauge/weld_shape.hpp"
 #include "tests/support/catch.hpp"
@@ -24,20 +24,20 @@ double degrees(double radians) {
     return radians * 180 / kPi;
 }
 
-/// A bead whose surface is an arc of a circle that meets the plate at `angle`.
+/// A bead whose surface is a circular arc that meets the plate at `angle`.
 struct Segment {
     double angle, radius;
 
     double halfWidth() const { return radius * std::sin(angle); }
     double height() const { return radius * (1 - std::cos(angle)); }
     double area() const { return radius * radius * (angle - std::sin(angle) * std::cos(angle)); }
-    /// Of the bead's outermost places.
+    /// Returns half the width between the bead's outermost places.
     double halfCover() const { return angle > kPi / 2 ? radius : halfWidth(); }
     glm::dvec2 ends(double y) const {
         const double up = y + radius * std::cos(angle), half = std::sqrt(std::max(radius * radius - up * up, 0.0));
         return {-half, half};
     }
-    /// From its high toe over the crown to its low one.
+    /// Returns the outline from its high toe over the crown to its low one.
     WeldOutline line() const {
         WeldOutline made;
         constexpr int kPieces = 4000;
@@ -49,7 +49,8 @@ struct Segment {
     }
 };
 
-/// The outline of a plate from z = -20 to 20 mm, 6 mm thick, with `weld` on it; turned about the origin by `tilt` rad.
+/// Returns the outline of a plate from z = -20 to 20 mm, 6 mm thick, with `weld` on it; rotated about the origin by
+/// `tilt` rad.
 WeldOutline plateWith(const WeldOutline& weld, double tilt = 0) {
     WeldOutline outline{{-20, 0}, {-20, -6}, {20, -6}, {20, 0}};
     outline.insert(outline.end(), weld.begin(), weld.end());
@@ -59,7 +60,7 @@ WeldOutline plateWith(const WeldOutline& weld, double tilt = 0) {
 }
 
 using Shape = std::function<bool(glm::dvec2)>;
-/// Where a weld begins and ends across the seam at a height.
+/// Begin and end of a weld across the seam at a height.
 using Ends = std::function<glm::dvec2(double)>;
 
 bool inPlate(glm::dvec2 p) {
@@ -72,8 +73,8 @@ bool inTee(glm::dvec2 p) {
 
 using Particles = std::vector<glm::dvec2>;
 
-/// Metal that has settled: rows of particles a spacing apart from the plate upwards, each evenly from end to end. What
-/// is left of a row beyond whole particles is one more in that share of the layers.
+/// Returns settled metal: rows of particles a spacing apart from the plate upwards, each evenly spread from end to end.
+/// The rest of a row beyond whole particles is one more particle in that share of the layers.
 std::vector<Particles> settled(double spacing, double height, const Ends& ends, int layers = 10) {
     std::vector<Particles> made(static_cast<size_t>(layers));
     for (int layer = 0; layer < layers; ++layer)
@@ -86,7 +87,8 @@ std::vector<Particles> settled(double spacing, double height, const Ends& ends, 
     return made;
 }
 
-/// The outline of layers of such metal on a plate, each particle of it moved at random by up to `disorder` spacings.
+/// Returns the outline of layers of such metal on a plate, with each particle moved at random by up to `disorder`
+/// spacings.
 WeldOutline ofParticles(double spacing, const Shape& plate, const std::vector<Particles>& layers, double disorder = 0,
                         unsigned seed = 1) {
     std::minstd_rand random(seed);
@@ -108,7 +110,7 @@ WeldOutline ofParticles(double spacing, const Shape& plate, const std::vector<Pa
                                       static_cast<int>(layers.size()), particles));
 }
 
-/// A tee's outline whose fillet's surface is `weld`, from the lying plate's toe to the standing one's.
+/// Returns a tee's outline with the fillet surface `weld`, from the base plate's toe to the upright plate's.
 WeldOutline teeWith(const WeldOutline& weld) {
     WeldOutline outline{{-6, 14}, {-6, 0}, {-14, 0}, {-14, -6}, {14, -6}, {14, 0}};
     outline.insert(outline.end(), weld.begin(), weld.end());
@@ -139,7 +141,7 @@ TEST_CASE("a bead of a circle's segment is measured exactly, flat or overhanging
 }
 
 TEST_CASE("a bead that leans has an angle and a toe at each side", "[gauge]") {
-    // Two arcs that meet in a crown 3 mm high: 4 mm to the high end, 2.5 mm to the low one.
+    // Two arcs meet in a crown 3 mm high: 4 mm to the high end, 2.5 mm to the low one.
     const auto arcTo = [](double reach, double share) {
         const double radius = (reach * reach + 9) / 6, angle = 2 * std::atan2(3.0, std::abs(reach)) * share;
         return glm::dvec2(std::copysign(radius * std::sin(angle), reach), 3 - radius * (1 - std::cos(angle)));
@@ -153,11 +155,11 @@ TEST_CASE("a bead that leans has an angle and a toe at each side", "[gauge]") {
     REQUIRE(bead.toes);
     CHECK((*bead.toes)[0].place == Approx(-2.5 * kMm).epsilon(0.01));
     CHECK((*bead.toes)[1].place == Approx(4 * kMm).epsilon(0.01));
-    // The middle of the crown is told from both flanks, and lies a little towards the longer one.
+    // The crown's middle is found from both flanks, and is a little towards the longer one.
     CHECK(degrees((*bead.toes)[0].angle) == Approx(degrees(2 * std::atan2(3, 2.5))).margin(10));
     CHECK(degrees((*bead.toes)[1].angle) == Approx(degrees(2 * std::atan2(3, 4.0))).margin(8));
     CHECK((*bead.toes)[0].angle > (*bead.toes)[1].angle + 0.2);
-    // Straight flanks, the low one overhanging: toes and cover are exact, whatever the surface.
+    // With straight flanks, the low one overhanging, toes and cover are exact.
     const BeadShape block = measureBead(plateWith({{5, 0}, {2, 3}, {-2.8, 3}, {-2, 0}}), {}, 0);
     REQUIRE(block.toes);
     CHECK((*block.toes)[0].place == Approx(-2 * kMm).epsilon(0.02));
@@ -172,7 +174,7 @@ TEST_CASE("overlap is the bead's metal beyond the fused stretch, at each side", 
     CHECK(overlap[0] == Approx(1.5 * kMm).epsilon(1e-3)); // the bead reaches to -3 mm, beyond its toe at -2.6 mm
     CHECK(overlap[1] == Approx(0.1 * kMm).epsilon(0.02));
     CHECK(bead.overlap(FaceStretch{-4 * kMm, 4 * kMm}) == std::array<double, 2>{0, 0});
-    CHECK(bead.overlap(std::nullopt)[0] == Approx(3 * kMm).epsilon(1e-3)); // nothing fused: half of the cover
+    CHECK(bead.overlap(std::nullopt)[0] == Approx(3 * kMm).epsilon(1e-3)); // without fusion: half of the cover
     CHECK(BeadShape{}.overlap(std::nullopt) == std::array<double, 2>{0, 0});
 }
 
@@ -187,7 +189,7 @@ TEST_CASE("particles measure a bead to a part of their spacing, at 1 and at 0.5 
                 const auto metal = settled(spacing, height, [&](double y) { return exact.ends(y); });
                 const BeadShape bead = measureBead(ofParticles(spacing, inPlate, metal), {}, kMm * spacing);
                 REQUIRE(bead.toes);
-                // Two rows of particles are the least that has a shape: less exact than three and more.
+                // Two rows of particles are the least with a shape: less exact than three and more.
                 const bool low = height < 2.5 * spacing;
                 const double most = (low ? 0.45 : 0.36) * spacing;
                 CHECK(bead.height / kMm == Approx(height).margin(0.15 * spacing));
@@ -230,7 +232,7 @@ TEST_CASE("a plate without a bead has no toes and no height", "[gauge]") {
         CHECK(bare.height == 0);
         CHECK(bare.toeWidth() == 0);
         CHECK(bare.reinforcement == 0);
-        // Half a row of metal has a height; its toes cannot be told.
+        // Half a row of metal has a height but no measurable toes.
         std::vector<Particles> film = settled(
             spacing, spacing, [](double) { return glm::dvec2(-4, 4); }, 2);
         film[1].clear();
@@ -277,7 +279,7 @@ TEST_CASE("a fillet is measured on its own surface, also where the plates' backs
     CHECK(fillet->throat == Approx(5 * kMm / std::numbers::sqrt2));
     CHECK(fillet->toes[0].place == Approx(5 * kMm).epsilon(1e-3));
     CHECK_FALSE(measureFillet(teeWith({{0, 0}}), {}, 0)); // an exact corner without weld
-    // A surface that is nearest to the corner close beside a plate: a bead that lies on the lower one.
+    // The surface is nearest to the corner close to a plate: a bead on the base plate.
     const auto low = measureFillet(teeWith({{3.6, 0}, {2.6, 1.4}, {1.4, 2.2}, {0.5, 2.3}, {0, 3.1}}), {}, kMm);
     REQUIRE(low);
     CHECK(low->throat == Approx(kMm * std::hypot(0.5, 2.3)).epsilon(0.02));
@@ -372,7 +374,7 @@ TEST_CASE("undercut is the depth of the groove beside each toe, on plates and in
     CHECK(undercutBeside(plateWith(exact.line()), {}, toes, 0) == std::array<std::optional<double>, 2>{0, 0});
     for (const double spacing : {1.0, 0.5}) {
         INFO("particles of " << spacing << " mm");
-        // Grooves 2 mm wide and 1 mm deep, behind the low toe of a bead and over a fillet.
+        // The grooves are 2 mm wide and 1 mm deep, behind the low toe of a bead and over a fillet.
         const auto plate = [](glm::dvec2 p) { return inPlate(p) && !(p.x > -6 && p.x < -4 && p.y > -1); };
         const auto bead = settled(spacing, 2, [](double) { return glm::dvec2(-4, 4); });
         const auto beside =
@@ -398,5 +400,5 @@ TEST_CASE("a groove is as deep as the surface lies under the face, and no plate'
     const PlateFace under{{0, -6 * kMm}, {-1, 0}, {0, -1}};
     CHECK(*grooveDepth(sunk, under, {-4 * kMm, 4 * kMm}, 0) == Approx(0).margin(1e-9));
     CHECK_FALSE(grooveDepth({}, {}, {-1, 1}, 0));
-    CHECK_FALSE(grooveDepth(sunk, {}, {19 * kMm, 40 * kMm}, kMm)); // nothing but the rounded edge
+    CHECK_FALSE(grooveDepth(sunk, {}, {19 * kMm, 40 * kMm}, kMm)); // only the rounded edge is there
 }

@@ -1,5 +1,5 @@
-// Stations: figures from sections, their means and extremes, straightness, the table, and welds of known shape measured
-// end to end.
+// Stations of a weld: figures from sections, means and extremes, straightness, the table, and complete welds of known
+// shape.
 #include "core/weld/gauge/weld_stations.hpp"
 
 #include "core/base/text.hpp"
@@ -25,7 +25,7 @@ Material steel() {
     return readMaterial(test::testFolder().parent_path() / "app" / "data" / "materials" / "s235.toml");
 }
 
-/// A fillet's section: legs 6 and 5 mm, faces fused to 5.5 and 4 mm, the root by 1 mm.
+/// Returns a fillet's section: legs 6 and 5 mm, faces fused to 5.5 and 4 mm, the root by 1 mm.
 Section filletSection() {
     Section section;
     section.layers = 4;
@@ -54,9 +54,9 @@ WeldStation at(double placeMm, double middleMm) {
     return station;
 }
 
-using Inside = std::function<bool(glm::vec2)>; ///< of a place (z, y) in mm
+using Inside = std::function<bool(glm::vec2)>; ///< shape as a function of a place (z, y) in mm
 
-/// A joint of 4 mm plates and particles of 0.5 mm.
+/// Returns a joint of 4 mm plates and particles of 0.5 mm.
 WorkpieceParameters jointOf(WorkpieceKind kind) {
     WorkpieceParameters p;
     p.kind = static_cast<int>(kind);
@@ -70,7 +70,8 @@ WorkpieceParameters jointOf(WorkpieceKind kind) {
     return p;
 }
 
-/// A joint welded from x = -20 to 20 mm with metal of this section; its plates are fused where `fused` says so.
+/// Measures a joint welded from x = -20 to 20 mm with metal of this section; its plates are fused where `fused` is
+/// true.
 WeldMeasures measureJoint(const WorkpieceParameters& p, const Inside& metal, const Inside& fused) {
     Workpiece piece = makeWorkpiece(p);
     const auto place = [](glm::vec3 at) { return glm::vec2(at.z, at.y) * 1e3F; };
@@ -79,7 +80,7 @@ WeldMeasures measureJoint(const WorkpieceParameters& p, const Inside& metal, con
     std::set<size_t> taken;
     for (const MetalSeed& seed : piece.seeds)
         taken.insert(piece.lattice.index(piece.lattice.cellAt(seed.position)));
-    // The section is moved a little from layer to layer, so that four of them show more than whole cells.
+    // The section shifts a little from layer to layer, so that four layers resolve more than whole cells.
     const auto moved = [&](glm::vec3 at) {
         const int layer = piece.lattice.cellAt(at).x % 4;
         return place(at) + glm::vec2(0.125F * (static_cast<float>(layer) - 1.5F), 0);
@@ -95,8 +96,8 @@ WeldMeasures measureJoint(const WorkpieceParameters& p, const Inside& metal, con
     return measureWeld(state, piece.parts(), steel(), weldKindOf(p));
 }
 
-/// A bead of half circles of metal on a plate, of radius `radius` (mm) along x from -20 to 20 mm, swinging sideways by
-/// `swing` (mm); the plate is fused 2 mm deep under it.
+/// A bead of half circles of metal on a plate, of radius `radius` (mm) along x from -20 to 20 mm, with a sideways swing
+/// of `swing` (mm); the plate is fused 2 mm deep under it.
 struct PlateWeld {
     static constexpr float kSpacing = 0.5F;
 
@@ -158,10 +159,10 @@ TEST_CASE("a fillet's station has the figures of its section", "[stations]") {
     CHECK_FALSE(s.rootMissing);
     Section cold = filletSection();
     cold.rootFusion = 0;
-    (*cold.fusedFaces)[0].low = 1.2 * kMm; // not fused from the corner on
+    (*cold.fusedFaces)[0].low = 1.2 * kMm; // unfused from the corner on
     CHECK(*stationOf(cold, WeldKind::fillet, 0).lackOfFusion == Approx(1.2 * kMm));
     (*cold.fusedFaces)[1] = {};
-    CHECK(*stationOf(cold, WeldKind::fillet, 0).lackOfFusion == Approx(5 * kMm)); // the whole leg
+    CHECK(*stationOf(cold, WeldKind::fillet, 0).lackOfFusion == Approx(5 * kMm)); // length of the leg
     CHECK(*stationOf(cold, WeldKind::fillet, 0).overlap2 == Approx(5 * kMm));
 }
 
@@ -176,8 +177,8 @@ TEST_CASE("a butt's station tells the root from both edges", "[stations]") {
     bead.cover = {-3 * kMm, 3.4 * kMm};
     section.unfusedEdges = {0.8 * kMm, 2 * kMm};
     const WeldStation lacking = stationOf(section, WeldKind::butt, 0);
-    CHECK(*lacking.rootMissing == Approx(0.8 * kMm));  // on both edges
-    CHECK(*lacking.lackOfFusion == Approx(1.2 * kMm)); // on one more than on the other
+    CHECK(*lacking.rootMissing == Approx(0.8 * kMm));  // sum over both edges
+    CHECK(*lacking.lackOfFusion == Approx(1.2 * kMm)); // one edge has more than the other
     CHECK(*lacking.overlap1 == Approx(-1 * kMm));
     CHECK(*lacking.overlap2 == Approx(-0.6 * kMm));
     CHECK(*lacking.middle == Approx(0.2 * kMm));
@@ -191,7 +192,7 @@ TEST_CASE("a butt's station tells the root from both edges", "[stations]") {
 }
 
 TEST_CASE("means, extremes and straightness are those of the stations", "[stations]") {
-    // Middles on a tilted line, then 0.3 mm to both sides of it in turns.
+    // The middles are on a tilted line, then alternately 0.3 mm to either side of it.
     const auto line = [](double off) {
         std::vector<WeldStation> stations;
         for (int i = 0; i < 20; ++i)
@@ -214,13 +215,13 @@ TEST_CASE("means, extremes and straightness are those of the stations", "[statio
 TEST_CASE("stations leave out the craters and stand a pitch apart", "[stations]") {
     const auto cuts = stationCuts(steel(), {-30 * kMm, 31 * kMm}, 0.4 * kMm, {});
     REQUIRE(cuts.size() == 25);
-    CHECK(cuts.front().from == Approx(-24.5 * kMm)); // what is left of a pitch is shared
+    CHECK(cuts.front().from == Approx(-24.5 * kMm)); // the rest of a pitch is split between both ends
     CHECK(cuts.back().to == Approx(25.5 * kMm));
     for (size_t i = 1; i < cuts.size(); ++i)
         CHECK(cuts[i].at() - cuts[i - 1].at() == Approx(2 * kMm));
     CHECK(stationCuts(steel(), {0, 8 * kMm}, kMm, {}).size() == 2); // a quarter at each end
     CHECK(stationCuts(steel(), {0, 3 * kMm}, kMm, {}).empty());
-    // With coarse particles each is the mean of five layers, at the same places.
+    // With coarse particles each station is the mean of five layers, at unchanged places.
     const auto coarse = stationCuts(steel(), {-30 * kMm, 31 * kMm}, kMm, {});
     REQUIRE(coarse.size() == 25);
     CHECK(coarse[3].at() == Approx(cuts[3].at()));
@@ -232,7 +233,7 @@ TEST_CASE("the table has a row a station and empty cells where there is no figur
         summarise({stationOf(filletSection(), WeldKind::fillet, 3 * kMm)}, WeldKind::fillet, 2e-3, 1e-3);
     const std::string table = weldTable(measures);
     const auto lines = splitText(table, '\n');
-    REQUIRE(lines.size() == 3); // the last one is empty
+    REQUIRE(lines.size() == 3); // the last line is empty
     const auto heads = splitText(lines[0], ','), cells = splitText(lines[1], ',');
     REQUIRE(heads.size() == stationFigures().size() + 1);
     REQUIRE(cells.size() == heads.size());
@@ -268,7 +269,7 @@ TEST_CASE("a bead of known shape is measured at all stations within half a spaci
         CHECK(*station.hole == 0);
         CHECK(*station.facesFused == 1);
     }
-    // The fed volume, by particles: their share of the half circle's area.
+    // The fed volume follows from the particles' share of the half circle's area.
     const double fed = static_cast<double>(weld.metal.size()) * std::pow(0.5 * kMm, 3) / (40 * kMm);
     CHECK(*measures.mean.deposited == Approx(fed).epsilon(0.03));
     REQUIRE(measures.straightness);
@@ -294,7 +295,7 @@ TEST_CASE("fillets of tee and lap joints are measured at all stations within hal
     test::context();
     for (const WorkpieceKind kind : {WorkpieceKind::Tee, WorkpieceKind::Lap}) {
         INFO(static_cast<int>(kind));
-        // In a lap joint the upper plate is 4 mm thick.
+        // The upper plate of a lap joint is 4 mm thick.
         const glm::vec2 legs = kind == WorkpieceKind::Tee ? glm::vec2(6, 5) : glm::vec2(5, 3);
         const WeldMeasures weld = measureJoint(
             jointOf(kind), [&](glm::vec2 p) { return p.x > -0.2F && p.y > 0 && p.x / legs.x + p.y / legs.y < 1; },
@@ -320,14 +321,14 @@ TEST_CASE("fillets of tee and lap joints are measured at all stations within hal
 
 TEST_CASE("a butt weld is measured on both sides at all stations within half a spacing", "[stations]") {
     test::context();
-    // Over the plates 8 mm wide and 1.5 mm high, under them 4 mm wide and 1.5 mm high, edges fused all through.
-    const auto inCap = [](float across, float up, float half, float height) { // a circle's segment
+    // The cap is 8 mm wide and 1.5 mm high, the root 4 mm wide and 1.5 mm high, and the edges are fused all through.
+    const auto inCap = [](float across, float up, float half, float height) { // segment of a circle
         const float radius = 0.5F * (half * half + height * height) / height;
         return std::hypot(across, up + radius - height) < radius;
     };
     const auto metal = [&](glm::vec2 p) {
         if (p.y > 0) return inCap(p.x, p.y, 4, 1.5F);
-        return p.y > -4 ? std::abs(p.x) < 2 : inCap(p.x, -4 - p.y, 2, 1.5F); // all of the gap
+        return p.y > -4 ? std::abs(p.x) < 2 : inCap(p.x, -4 - p.y, 2, 1.5F); // the gap is full
     };
     const WeldMeasures weld =
         measureJoint(jointOf(WorkpieceKind::Butt), metal, [](glm::vec2 p) { return std::abs(p.x) < 4.5F; });
@@ -345,7 +346,7 @@ TEST_CASE("a butt weld is measured on both sides at all stations within half a s
         CHECK(*s.hole == 0);
     }
     CHECK(*weld.mean.rootFused == 1);
-    // The same without metal in the lower 2 mm of the gap, and edges fused down to there.
+    // Here the lower 2 mm of the gap have no metal, and the edges are fused down to there.
     const WeldMeasures shallow = measureJoint(
         jointOf(WorkpieceKind::Butt), [&](glm::vec2 p) { return p.y > -2 && metal(p); },
         [](glm::vec2 p) { return std::abs(p.x) < 4.5F && p.y > -2; });
@@ -373,13 +374,13 @@ TEST_CASE("a weld in an outside corner is measured on the plates' edges within h
             CHECK(*s.throat / kMm == Approx(static_cast<double>(legs.x * legs.y / glm::length(legs))).margin(0.25));
             CHECK(*s.penetration / kMm == Approx(1).margin(0.25));
             CHECK(*s.lackOfFusion / kMm == Approx(0).margin(0.25));
-            CHECK_FALSE(s.rootFusion);        // behind the root is air
-            CHECK_FALSE(s.excessPenetration); // nor is there a lower face
+            CHECK_FALSE(s.rootFusion);        // air is behind the root
+            CHECK_FALSE(s.excessPenetration); // a lower face is missing too
         }
         CHECK(*weld.mean.rootFused == Approx(1));
         CHECK(*weld.mean.facesFused == Approx(1));
     }
-    // Faces that are fused only 1 mm off the corner: the root is not.
+    // The faces are fused only 1 mm from the corner on, so the root is not.
     const auto metal = [](glm::vec2 at) { return at.x > -0.2F && at.y > 0 && at.x + at.y < 4; };
     const WeldMeasures cold = measureJoint(p, metal, [](glm::vec2 at) {
         return std::max(at.x, at.y) > 1 && std::min(at.x, at.y) > -1 && std::max(at.x, at.y) < 4;
@@ -410,14 +411,14 @@ TEST_CASE("a weld in a bevelled groove is measured over the plates and down to i
     p.gapMm = 1;
     p.rootFaceMm = 1;
     p.bevelDeg = 30;
-    // 5 mm of bevel: the groove is 6.77 mm wide at the top; a cap of 8 by 1.5 mm, a root of 3 by 1 mm.
-    const auto inCap = [](float across, float up, float half, float height) { // a circle's segment
+    // A bevel of 5 mm makes the groove 6.77 mm wide at the top; the cap is 8 by 1.5 mm, the root 3 by 1 mm.
+    const auto inCap = [](float across, float up, float half, float height) { // segment of a circle
         const float radius = 0.5F * (half * half + height * height) / height;
         return std::hypot(across, up + radius - height) < radius;
     };
     const auto metal = [&](glm::vec2 at) {
         if (at.y > 0) return inCap(at.x, at.y, 4, 1.5F);
-        return at.y > -6 ? std::abs(at.x) < 5 : inCap(at.x, -6 - at.y, 1.5F, 1); // all of the groove
+        return at.y > -6 ? std::abs(at.x) < 5 : inCap(at.x, -6 - at.y, 1.5F, 1); // the groove is full
     };
     const auto halfGroove = [](float y) { return 0.5F + std::max(y + 5, 0.0F) * 0.57735F; };
     const auto nearGroove = [&](glm::vec2 at) { return std::abs(at.x) < halfGroove(at.y) + 1.25F; };
@@ -434,7 +435,7 @@ TEST_CASE("a weld in a bevelled groove is measured over the plates and down to i
     }
     CHECK(*weld.mean.rootFused == 1);
     CHECK(*weld.mean.facesFused == 1);
-    // Bevels that are fused from 3 mm over the lower face on.
+    // The bevels are fused from 3 mm over the lower face on.
     const WeldMeasures shallow = measureJoint(p, metal, [&](glm::vec2 at) { return at.y > -3 && nearGroove(at); });
     for (const WeldStation& s : shallow.stations)
         CHECK(*s.rootMissing / kMm == Approx(3).margin(0.25));
@@ -447,7 +448,7 @@ TEST_CASE("a tack counts as deposited metal, not as part of the joint", "[statio
     const auto fused = [](glm::vec2 at) { return at.x > -1 && at.y > -1 && at.x < 6 && at.y < 6; };
     WorkpieceParameters p = jointOf(WorkpieceKind::Tee);
     const WeldMeasures bare = measureJoint(p, metal, fused);
-    p.tackCount = 1; // in the middle
+    p.tackCount = 1; // a tack in the middle
     const WeldMeasures tacked = measureJoint(p, metal, fused);
     REQUIRE(tacked.stations.size() == bare.stations.size());
     for (size_t i = 0; i < bare.stations.size(); ++i) {
@@ -461,12 +462,12 @@ TEST_CASE("a tack counts as deposited metal, not as part of the joint", "[statio
 
 namespace {
 
-/// A pipe of 50 mm with a wall of 5 mm and particles of 1 mm, welded from 10 to 60 mm of its seam with metal of this
-/// section: z and height over the outer face, mm.
+/// Measures a pipe of 50 mm with a wall of 5 mm and particles of 1 mm, welded from 10 to 60 mm of its seam with metal
+/// of this section: z and height over the outer face, mm.
 WeldMeasures measurePipe(const WorkpieceParameters& p, const Inside& metal, const Inside& fused) {
     Workpiece piece = makeWorkpiece(p);
     constexpr float kRadius = 25;
-    const auto place = [](const glm::vec3& at) { // along the seam, z, height
+    const auto place = [](const glm::vec3& at) { // position along the seam, z, height
         const glm::vec3 mm = at * 1e3F;
         const float angle = std::atan2(mm.x, mm.y + kRadius);
         return glm::vec3(angle * kRadius, mm.z, std::hypot(mm.x, mm.y + kRadius) - kRadius);
@@ -524,7 +525,7 @@ TEST_CASE("a bead around a pipe is measured within half a spacing, one station's
         CHECK(*s.hole == 0);
     }
     CHECK(*weld.mean.toeWidth / kMm == Approx(8).margin(0.5));
-    // A half circle's area lies 1.7 mm over the face on average, where the way around is longer.
+    // A half circle's area is 1.7 mm over the face on average, where the circumference is longer.
     const double exact = std::numbers::pi * 8 * (1 + 16 / (3 * std::numbers::pi) / 25);
     CHECK(*weld.mean.deposited / 1e-6 == Approx(exact).epsilon(0.03));
     CHECK(*weld.mean.facesFused == Approx(1));

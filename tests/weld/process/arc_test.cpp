@@ -1,5 +1,5 @@
-// What an arc does to the pool under it: how it stirs the liquid, and how wide it heats and presses in dip and in
-// spray.
+// The arc's effect on the pool: stirring of the liquid, and the widths of heat and pressure in dip and in spray
+// transfer.
 #include "core/weld/process/gmaw.hpp"
 #include "core/weld/process/processes.hpp"
 #include "core/weld/process/weld_constants.hpp"
@@ -25,7 +25,7 @@ std::unique_ptr<Process> made(const ProcessSettings& settings) {
     return makeProcess(settings, {table(), 7850, 1e-3F, 293.15});
 }
 
-/// 1 mm wire that is fed as fast as `current` (A) melts it.
+/// Returns settings for 1 mm wire that is fed as fast as `current` (A) melts it.
 ProcessSettings gmawAt(double current, float voltage) {
     ProcessSettings settings;
     GmawSettings& gmaw = settings.choose<Gmaw>();
@@ -42,7 +42,7 @@ ProcessSettings gtawAt(float current) {
     return settings;
 }
 
-/// The arc after two seconds at 15 mm from contact tip to metal, and how it presses.
+/// Returns the arc after two seconds at 15 mm from contact tip to metal, and its pressure.
 std::pair<ArcState, ArcPressure> settled(const ProcessSettings& settings) {
     const auto process = made(settings);
     TorchSample torch;
@@ -86,7 +86,7 @@ TEST_CASE("tension that falls with heat leads a pool's heat along its surface, t
     CHECK(none.down == 1);
     CHECK(half.along == 1);
     CHECK(half.down == Approx((1 + kLeastStirring) / 2));
-    CHECK(pulledStirring(9).down == Approx(kLeastStirring)); // and no less
+    CHECK(pulledStirring(9).down == Approx(kLeastStirring)); // never less
 }
 
 TEST_CASE("what a pool conducts less lies along the axis of its arc or across it") {
@@ -119,7 +119,7 @@ TEST_CASE("a GMAW arc is narrow in dip transfer and envelops the wire in spray")
     const ArcState spray = settled(gmawAt(260, 26)).first;
     CHECK(spray.current == Approx(260).epsilon(0.1));
     CHECK(double(spray.radius) == Approx(sprayHeatRadius(double(spray.current))));
-    CHECK(arcHeatRadius(double(spray.length), double(spray.current)) < kSprayRadius); // without the envelope
+    CHECK(arcHeatRadius(double(spray.length), double(spray.current)) < kSprayRadius); // without the spray envelope
 }
 
 TEST_CASE("a GMAW arc's width does not jump between dip and spray") {
@@ -138,7 +138,7 @@ TEST_CASE("a GMAW arc's width does not jump between dip and spray") {
 TEST_CASE("a GMAW arc in spray is as wide at any length") {
     const ArcState near = settled(gmawAt(300, 25)).first, far = settled(gmawAt(300, 31)).first;
     CHECK(double(far.length) > double(near.length) + 2e-3);
-    // As its current gives it, 2.8 mm at 235 A, less where more pinches it.
+    // The radius follows from the current: 2.8 mm at 235 A, less with a stronger pinch.
     CHECK(double(near.radius) == Approx(2.8e-3 * std::pow(double(near.current) / 235, -0.3)));
     CHECK(double(far.radius) == Approx(2.8e-3 * std::pow(double(far.current) / 235, -0.3)));
 }

@@ -1,5 +1,5 @@
-// A filler rod: it melts back to the pool where it is dipped, balls in the arc, spoils the tungsten, and its heat and
-// metal add up.
+// A filler rod: melting in the pool, balls in the arc, contamination of the tungsten, and its balance of heat and
+// metal.
 #include "core/weld/process/filler_rod.hpp"
 #include "core/weld/process/processes.hpp"
 #include "core/weld/process/weld_constants.hpp"
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kStep = 1.0 / 109;
 constexpr float kMm = 1e-3F;
-constexpr double kRod = 2.4e-3; // m, diameter
+constexpr double kRod = 2.4e-3; // rod diameter, m
 
 const HeatTable& table() {
     static const HeatTable made(
@@ -26,7 +26,7 @@ ProcessMetal steel() {
     return {table(), 7850, 1e-3F, 293.15};
 }
 
-/// A rod that comes in along -x at 20 degrees over the plate.
+/// Returns a rod along -x at 20 degrees over the plate.
 RodSample rodAt(glm::vec3 tipMm, float feedMmPerS = 0) {
     RodSample rod;
     rod.tip = tipMm * kMm;
@@ -37,12 +37,12 @@ RodSample rodAt(glm::vec3 tipMm, float feedMmPerS = 0) {
     return rod;
 }
 
-/// An upright electrode with its tip 2 mm over the plate at x = 0.
+/// Returns the arc of an upright electrode with its tip 2 mm over the plate at x = 0.
 RodArc arcOf(double power = 1000) {
     return {{{0, 2 * kMm, 0}, {0, -1, 0}}, 2e-3, 1.3e-3, power};
 }
 
-/// The metal `mm` before the rod's end; negative: the end is in it.
+/// Returns metal `mm` before the rod's end; negative: the end is inside the metal.
 MetalAhead before(double mm, float liquid) {
     return {static_cast<float>(0.01 + mm * 1e-3), liquid};
 }
@@ -63,13 +63,14 @@ TEST_CASE("a rod that is dipped into the pool melts back to its surface, as fast
     const double perVolume = 7850 * (table().liquidusEnthalpy() - table().enthalpyAt(293.15));
     double volume = 0, heat = 0;
     for (int i = 0; i < 400; ++i) {
-        const double depth = 1.5 - rod.eaten() * 1e3; // the surface stays where it is
+        const double depth = 1.5 - rod.eaten() * 1e3; // the surface is fixed
         const RodMelt melt = rod.step(held, before(-depth, 1), &arc, steel(), kStep);
         CHECK(melt.heat <= kRodPoolShare * arc.power * (1 + 1e-9));
         CHECK(melt.temperature == Approx(table().temperatureAt(table().liquidusEnthalpy())));
         volume += melt.volume;
         heat += melt.heat * kStep;
-        if (i == 0) CHECK(melt.heat == Approx(kRodPoolShare * arc.power)); // more is in the pool than can melt
+        if (i == 0)
+            CHECK(melt.heat == Approx(kRodPoolShare * arc.power)); // the pool contains more rod than it can melt
     }
     CHECK(rod.inPool());
     CHECK(rod.eaten() == Approx(1.5e-3).margin(1e-5));
@@ -82,8 +83,8 @@ TEST_CASE("a rod melts neither on solid metal, nor beside the arc, nor without o
     FillerRod rod;
     rod.setDiameter(kRod);
     const RodArc arc = arcOf();
-    CHECK(rod.step(rodAt({3, 0, 0}), before(-1, 0.1F), &arc, steel(), kStep).heat == 0); // solid
-    CHECK(rod.step(rodAt({12, 3, 0}), before(8, 0), &arc, steel(), kStep).heat == 0);    // beside
+    CHECK(rod.step(rodAt({3, 0, 0}), before(-1, 0.1F), &arc, steel(), kStep).heat == 0); // solid metal
+    CHECK(rod.step(rodAt({12, 3, 0}), before(8, 0), &arc, steel(), kStep).heat == 0);    // away from the arc
     CHECK(rod.step(rodAt({3, 0, 0}), before(-1, 1), nullptr, steel(), kStep).heat == 0); // no arc
     CHECK(rod.eaten() == 0);
     CHECK(rod.melted() == 0);
@@ -98,7 +99,7 @@ TEST_CASE("a rod in the arc above the pool grows a ball, which falls when it is 
     int falls = 0;
     bool hung = false;
     for (int i = 0; i < 1000; ++i) {
-        // The hand follows the end, so that it stays in the arc, 1 mm over the metal's reach of its ray.
+        // The hand follows the end into the arc, 1 mm above the metal on its ray.
         const RodSample held = rodAt({float(rod.eaten() * 1e3 * -std::cos(0.349)) + 0.5F,
                                       float(rod.eaten() * 1e3 * -std::sin(0.349)) + 1.2F, 0});
         const RodMelt melt = rod.step(held, before(6, 0), &arc, steel(), kStep);
@@ -121,7 +122,7 @@ TEST_CASE("a rod that is fed through the hand keeps its end where it is held", "
     for (int i = 0; i < 400; ++i)
         rod.step(rodAt({3, 0, 0}, 2), before(-1 + rod.eaten() * 1e3, 1), &arc, steel(), kStep);
     CHECK(rod.eaten() < 1.05e-3);
-    CHECK(rod.melted() == Approx(400 * kStep * 2e-3).epsilon(0.2)); // what is fed melts
+    CHECK(rod.melted() == Approx(400 * kStep * 2e-3).epsilon(0.2)); // the fed length melts
 }
 
 TEST_CASE("a GTAW torch melts its rod from its own heat, and a rod on the tungsten spoils it", "[weld]") {
@@ -151,11 +152,11 @@ TEST_CASE("a GTAW torch melts its rod from its own heat, and a rod on the tungst
     CHECK(process->arc().rodInPool);
     CHECK(process->arc().rodEaten > 2.5e-3F);
     CHECK(drops > 10);
-    CHECK(brought == Approx(expected).epsilon(0.003)); // to one particle that waits
+    CHECK(brought == Approx(expected).epsilon(0.003)); // within one pending particle
     const WireAccount account = process->wire();
     CHECK(double(drops) == Approx(account.melted * account.area / 1e-9).margin(1));
 
-    // What is left of it reaches the electrode.
+    // The remaining rod reaches the electrode.
     const float eaten = process->arc().rodEaten / kMm, angle = 20 * std::numbers::pi_v<float> / 180;
     torch.rod = rodAt({-eaten * std::cos(angle), 2.4F - eaten * std::sin(angle), 0});
     process->step(torch, plate, kStep, before(2, 1));
@@ -164,7 +165,7 @@ TEST_CASE("a GTAW torch melts its rod from its own heat, and a rod on the tungst
     process->reset();
     CHECK(process->wire().area == 0);
 
-    // Where the lesson says that none is held, nothing melts and nothing touches.
+    // In a lesson without a rod no rod melts or touches.
     settings.of<Gtaw>().rodDiameterMm = 0;
     CHECK_FALSE(holdsRod(settings));
     const auto bare = makeProcess(settings, steel());
@@ -209,8 +210,8 @@ TEST_CASE("a flame and a soldering iron melt a rod or wire in the pool, from the
         CHECK(process->arc().rodInPool);
         CHECK(double(process->arc().rodEaten) > begin + 2e-3);
         CHECK(left > 10);                                           // J
-        CHECK(brought == Approx(left).margin(2 * 7850e-9 * 1.5e6)); // to two particles that wait
-        // A lesson without a rod: nothing melts, and the metal gets all the heat.
+        CHECK(brought == Approx(left).margin(2 * 7850e-9 * 1.5e6)); // within two pending particles
+        // Without a rod nothing melts, and the metal gets all the heat.
         ProcessSettings none;
         if (flame)
             none.choose<Flame>();
@@ -226,7 +227,7 @@ TEST_CASE("wire solder melts at the iron's tip too, and a tip colder than its li
     torch.orientation = glm::angleAxis(-std::numbers::pi_v<float> / 2, glm::vec3(1, 0, 0));
     torch.trigger = 1;
     torch.rod = rodAt({1, 0, 0}, 3);
-    for (const float temperature : {1000.0F, 1600.0F}) { // degrees Celsius; this metal is liquid from some 1500
+    for (const float temperature : {1000.0F, 1600.0F}) { // degrees Celsius; this metal is liquid from about 1500
         ProcessSettings settings;
         settings.choose<SolderingIron>() = {temperature, 2, 1};
         const auto process = makeProcess(settings, steel());

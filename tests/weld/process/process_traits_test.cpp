@@ -1,4 +1,4 @@
-// Traits of the processes: whole, and in keeping with each other and with the settings.
+// Traits of the processes: complete, and consistent with each other and with the settings.
 #include "core/weld/process/processes.hpp"
 #include "tests/support/catch.hpp"
 

@@ -1,4 +1,4 @@
-// Each process as lessons use it: what it takes from the settings, when it burns, and that its heat and wire add up.
+// Each process as in lessons: its settings, its burning conditions, and its balance of heat and wire.
 #include "core/weld/process/processes.hpp"
 #include "core/weld/process/weld_constants.hpp"
 #include "tests/support/catch.hpp"
@@ -39,7 +39,7 @@ MetalAhead metalAt(double mm, float liquid = 0) {
     return {static_cast<float>(mm * 1e-3), liquid};
 }
 
-/// J that a drop brings, above wire at room temperature.
+/// Returns the heat (J) of a drop above wire at room temperature.
 double dropHeat(const MetalSeed& drop) {
     return 7850e-9 * (table().enthalpyAt(double(drop.temperature)) - table().enthalpyAt(293.15));
 }
@@ -69,7 +69,7 @@ TEST_CASE("only the settings of the chosen process are described, and each is in
         CHECK((findParameter(list, "wire_feed_m_min") != nullptr) == settings.is<Gmaw>());
         CHECK((findParameter(list, "current") != nullptr) == (settings.is<Gtaw>() || settings.is<Smaw>()));
         CHECK((findParameter(list, "flame_power") != nullptr) == settings.is<Flame>());
-        for (const Parameter& parameter : list) // what a default says must be allowed
+        for (const Parameter& parameter : list) // a default must be permitted
             CHECK_NOTHROW(setParameter(list, parameter.key, parameterText(parameter), "default"));
     }
 }
@@ -114,7 +114,7 @@ TEST_CASE("a GTAW arc strikes near the metal, follows its length and goes out wh
     CHECK(after(*process, 7) == ArcAction::breaking);
     CHECK(after(*process, 1e3 * gtawLongestArc(130) + 0.5) == ArcAction::out);
     CHECK(process->sources().empty());
-    CHECK(after(*process, 3) == ArcAction::out); // the trigger was not let go
+    CHECK(after(*process, 3) == ArcAction::out); // the trigger is still pulled
     CHECK(after(*process, 3, 0) == ArcAction::out);
     CHECK(after(*process, 3) == ArcAction::striking);
     CHECK(after(*process, 3, 0.5F) == ArcAction::burning);
@@ -136,7 +136,7 @@ TEST_CASE("a GTAW torch says why it has no arc: why it went out, and why it does
         CHECK(why(3) == NoArc::burns);
         CHECK(why(mm) == end);
         CHECK(wentOut(end));
-        for (const double later : {3.0, 0.1, 20.0, kNowhere}) // until the trigger is let go
+        for (const double later : {3.0, 0.1, 20.0, kNowhere}) // until the trigger's release
             CHECK(why(later) == end);
         CHECK(why(3, 0) == NoArc::released);
     }
@@ -267,7 +267,8 @@ TEST_CASE("an arc presses by its current, a flame does not") {
     after(*arc, 3);
     const ArcPressure pressure = arc->pressure();
     const double sigma = double(pressure.sigma);
-    CHECK(double(pressure.peak) * 2 * 3.14159265 * sigma * sigma == Approx(4e-3)); // 1e-7 V s/(A m) times 200 A squared
+    CHECK(double(pressure.peak) * 2 * 3.14159265 * sigma * sigma ==
+          Approx(4e-3)); // 1e-7 V s/(A m) times the square of 200 A
     settings.choose<Flame>();
     const auto flame = made(settings);
     CHECK(after(*flame, 3) == ArcAction::burning);
@@ -278,5 +279,5 @@ TEST_CASE("an arc's heat is the wider the longer and stronger the arc is") {
     CHECK(arcHeatRadius(3e-3, 200) > arcHeatRadius(1e-3, 200));
     CHECK(arcHeatRadius(3e-3, 300) > arcHeatRadius(3e-3, 200));
     CHECK(arcHeatRadius(0, 200) == arcHeatRadius(kShortestSpread, 200)); // dip transfer
-    CHECK(arcHeatRadius(5e-3, 190) == Approx(1.84e-3).epsilon(0.02));    // the arc that it was fitted with
+    CHECK(arcHeatRadius(5e-3, 190) == Approx(1.84e-3).epsilon(0.02));    // the arc of the fit
 }

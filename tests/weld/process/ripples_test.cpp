@@ -1,4 +1,4 @@
-// How often each process lets a pool's tail freeze in waves.
+// The frequency of ripples that each process leaves in a freezing pool.
 #include "core/weld/process/processes.hpp"
 #include "tests/support/catch.hpp"
 
@@ -32,7 +32,7 @@ TEST_CASE("dip transfer, spray, stick and TIG have ripples of their own, within 
         CHECK(all[i].frequency >= 4);
         CHECK(all[i].frequency <= 16);
         CHECK(all[i].height > 0.4F);
-        CHECK(all[i].height < 2); // 50 um
+        CHECK(all[i].height < 2); // height below 50 um
         for (size_t j = 0; j < i; ++j)
             CHECK(std::abs(all[i].frequency - all[j].frequency) > 0.9F);
     }

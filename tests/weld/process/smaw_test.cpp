@@ -1,4 +1,4 @@
-// SMAW: strike by touch, burn-off, sticking and its end by a twist, the arc that goes out, the stub.
+// SMAW: strike by touch, burn-off, sticking and its release by a twist, an extinguished arc, the stub.
 #include "core/weld/process/processes.hpp"
 #include "core/weld/process/weld_constants.hpp"
 #include "tests/support/catch.hpp"
@@ -28,7 +28,7 @@ struct Stick {
         torch.orientation = glm::angleAxis(-std::numbers::pi_v<float> / 2, glm::vec3(1, 0, 0));
         torch.trigger = 1;
     }
-    /// One step with the electrode's end `mm` from the metal.
+    /// Makes one step with the electrode's end `mm` from the metal.
     const ArcState& at(double mm) {
         process->step(torch, {static_cast<float>(0.01 + mm * 1e-3), 1}, kStep);
         return process->arc();
@@ -64,9 +64,9 @@ TEST_CASE("a stick strikes when it has touched and is lifted, not from afar", "[
     stick.torch.trigger = 0;
     CHECK(stick.at(2).noArc == NoArc::released);
     stick.torch.trigger = 1;
-    CHECK(stick.at(2).noArc == NoArc::tooFar); // it must touch again
+    CHECK(stick.at(2).noArc == NoArc::tooFar); // a new touch is required
     stick.at(0);
-    CHECK(stick.at(8).noArc == NoArc::tooFar); // torn off faster than an arc follows
+    CHECK(stick.at(8).noArc == NoArc::tooFar); // lifted too fast for the arc
     CHECK(stick.at(2).noArc == NoArc::tooFar);
     stick.strike();
 }
@@ -86,7 +86,7 @@ TEST_CASE("a stick that touches for 0.3 s sticks until it is twisted", "[weld]")
     CHECK(stick.at(3).noArc == NoArc::tooFar);
     stick.strike();
     CHECK(stick.forSeconds(0.35, -1).noArc == NoArc::stuck); // pressed into the pool
-    stick.torch.trigger = 0;                                 // the electrode is let go
+    stick.torch.trigger = 0;                                 // the holder releases the electrode
     CHECK(stick.at(3).noArc == NoArc::released);
     stick.torch.trigger = 1;
     stick.strike();
@@ -96,13 +96,13 @@ TEST_CASE("a stick's arc breaks as it grows, goes out when it is too long, and s
     Stick stick;
     stick.strike();
     const double longest = smawLongestArc(0, 115) * 1e3;
-    CHECK(longest > 6); // an arc of 3.2 mm is held, one of more than a centimetre is not
+    CHECK(longest > 6); // an arc of 3.2 mm holds, one over a centimetre does not
     CHECK(longest < 12);
     CHECK(stick.at(3).stretch < 0.1F);
     CHECK(double(stick.at(3).voltage) == Approx(smawVoltage(0, 3e-3, 115)));
     CHECK(stick.at(longest - 0.5).action == ArcAction::breaking);
     CHECK(stick.at(longest + 0.5).noArc == NoArc::tooLong);
-    CHECK(stick.at(2).noArc == NoArc::tooLong); // told until it is struck again
+    CHECK(stick.at(2).noArc == NoArc::tooLong); // reported until the next strike
     stick.strike();
     CHECK(stick.at(kNowhere).noArc == NoArc::metalLeft);
 }
@@ -133,7 +133,7 @@ TEST_CASE("the rays of a burning electrode begin at what is left of it", "[weld]
     const glm::vec3 after = stick.process->ray(stick.torch).origin;
     const float burnt = stick.process->burntOff();
     CHECK(burnt > 0.03F);
-    CHECK(after.y - before.y == Approx(burnt).margin(1e-6)); // upwards, out of the metal
+    CHECK(after.y - before.y == Approx(burnt).margin(1e-6)); // up and out of the metal
 }
 
 TEST_CASE("a stick's arc and its drops together bring efficiency U I, and its core is found again but for spatter",

@@ -1,4 +1,4 @@
-// When the tip meets the metal.
+// Contact of the tip with the metal.
 #include "core/weld/process/tip_touch.hpp"
 #include "tests/support/catch.hpp"
 
@@ -12,7 +12,7 @@ SurfaceDistance metalAt(float mm) {
     return metal;
 }
 
-constexpr float kRadius = 1.2e-3f; // m, of a tungsten electrode
+constexpr float kRadius = 1.2e-3f; // radius of a tungsten electrode, m
 constexpr double kFrame = 1.0 / 90;
 
 } // namespace
@@ -22,13 +22,13 @@ TEST_CASE("a touch is noticed once, with the speed at which the hand came, and a
     const glm::vec3 down(0, -0.2f, 0);
     touch.update(kRadius, metalAt(10), down, kFrame);
     CHECK_FALSE(touch.touching());
-    // The answer comes when the hand has stopped.
+    // The answer arrives after the hand has stopped.
     touch.update(kRadius, metalAt(1.0f), glm::vec3(0), kFrame);
     CHECK(touch.touching());
     CHECK(touch.since() == 0);
     CHECK(touch.speed() > 0.1f);
     CHECK(touch.speed() <= 0.2f);
-    for (const float mm : {0.5f, 1.1f, 1.3f, 1.6f, 0.9f}) // trembling at the surface is no new touch
+    for (const float mm : {0.5f, 1.1f, 1.3f, 1.6f, 0.9f}) // a tremble at the surface is no new touch
         touch.update(kRadius, metalAt(mm), down, kFrame);
     CHECK(touch.count() == 1);
     CHECK(touch.since() == Approx(5.0 / 90));

@@ -1,4 +1,4 @@
-// A weld on the real metal: how far the metal is, what the arc makes of it, and that live and replayed are the same.
+// A weld on the real metal: distance to the metal, effect of the arc, and agreement of live and replayed welds.
 #include "core/weld/process/weld.hpp"
 #include "core/weld/torch/torch_moves.hpp"
 #include "tests/support/catch.hpp"
@@ -19,7 +19,7 @@ Material steel() {
     return readMaterial(test::testFolder().parent_path() / "app" / "data" / "materials" / "s235.toml");
 }
 
-/// A plate, or by its kind a joint, of 30x20x4 mm.
+/// Returns a plate, or by its kind a joint, of 30x20x4 mm.
 WorkpieceParameters smallPiece() {
     WorkpieceParameters parameters;
     parameters.lengthMm = 30;
@@ -42,7 +42,7 @@ ProcessSettings wireSettings() {
     return settings;
 }
 
-/// An upright torch whose pose is `mm` over the plate's upper face.
+/// Returns an upright torch whose pose is `mm` over the plate's upper face.
 TorchSample over(float mm, float trigger = 1, float x = 0.3F) {
     TorchSample torch;
     torch.tip = {x * kMm, mm * kMm, 0.2F * kMm};
@@ -89,7 +89,7 @@ TEST_CASE("over a gap between two plates the torch finds their edges, beside a p
         parameters.gapMm = spacings * parameters.spacingMm;
         Weld weld(test::shaders(), steel(), makeWorkpiece(parameters), settings);
         for (const float mm : {2.0F, 10.0F}) {
-            TorchSample torch = over(mm, 0, 5); // clear of the tacks
+            TorchSample torch = over(mm, 0, 5); // away from the tacks
             torch.tip.z = 0;
             INFO(mm << " mm over a gap of " << spacings << " spacings");
             CHECK(distanceSeen(weld, torch) == Approx(mm).margin(0.6));
@@ -209,7 +209,7 @@ TEST_CASE(
     CHECK(hot(strong) == Approx(hot(changed) * arcStirring(200) / arcStirring(100)));
     const double atFirst = hot(changed);
     run(changed, tig(100));
-    CHECK(hot(changed) == atFirst); // nothing changed
+    CHECK(hot(changed) == atFirst); // the state is unchanged
     const auto first = run(strong, tig(200));
     run(changed, tig(200));
     CHECK(hot(changed) == hot(strong));
@@ -262,7 +262,7 @@ TEST_CASE("a stick touches the plate, strikes when it is lifted, and lays metal 
     }
     CHECK(weld.arc().burns());
     CHECK(burning > 0.8 * (300 * weld.timeStep() - 0.3));
-    CHECK(double(weld.arc().length) * 1e3 == Approx(2.5).margin(2)); // the bead grows under it
+    CHECK(double(weld.arc().length) * 1e3 == Approx(2.5).margin(2)); // the bead grows under the arc
     CHECK(double(weld.process().burntOff()) == Approx(rate * burning).epsilon(0.1));
     CHECK(weld.process().filler().fed() > 50);
 }
@@ -272,7 +272,7 @@ TEST_CASE("a stop of the torch stays in the freezing times: the crater closes in
     ProcessSettings settings;
     settings.choose<Gtaw>().rodDiameterMm = 0;
     Weld weld(test::shaders(), steel(), smallPlate(), settings);
-    constexpr float kSpeed = 3, kStop = 1, kGoesOn = 4; // mm/s; mm, where the torch stops; mm, where it ends
+    constexpr float kSpeed = 3, kStop = 1, kGoesOn = 4; // mm/s; mm of the torch's stop; mm of its end
     float x = -5;
     double time = 0;
     const auto step = [&](float trigger) {
@@ -292,7 +292,7 @@ TEST_CASE("a stop of the torch stays in the freezing times: the crater closes in
     const auto stopped = static_cast<float>(time);
     wait(1.2);
     const MetalState& state = weld.metal().state();
-    const auto frozen = [&] { // x and z in mm and time of what froze at the upper face
+    const auto frozen = [&] { // x and z in mm and time of the frozen upper face
         const auto places = state.position.read<glm::vec4>(state.particles());
         const auto times = state.frozenAt.read<float>(state.particles());
         std::vector<glm::vec3> all;
@@ -301,7 +301,7 @@ TEST_CASE("a stop of the torch stays in the freezing times: the crater closes in
                 all.emplace_back(places[i].x / kMm, places[i].z / kMm, times[i]);
         return all;
     };
-    // The crater: what was molten when the arc went out.
+    // The crater was molten when the arc went out.
     std::vector<glm::vec3> crater;
     glm::vec2 middle(0);
     for (const glm::vec3& each : frozen())
@@ -321,7 +321,7 @@ TEST_CASE("a stop of the torch stays in the freezing times: the crater closes in
     INFO("the middle froze " << inner / innerCount - double(stopped) << " s after the arc, the rim "
                              << outer / outerCount - double(stopped));
     CHECK(inner / innerCount > outer / outerCount + 0.05);
-    // It goes on where it stopped: along the seam time jumps by the pause and more.
+    // The weld continues from its stop: along the seam time jumps by at least the pause.
     travel(kGoesOn);
     wait(1.5);
     float before = 0, after = std::numeric_limits<float>::infinity();
@@ -347,7 +347,7 @@ TEST_CASE("a TIG pool of clean steel is wide and flat, one with much sulphur nar
         for (double time = 0; time < 2.5; time += weld.timeStep())
             weld.step(over(2), nullptr);
         const MetalState& state = weld.metal().state();
-        float wide = 0, deep = 0; // m from the middle of the upper face
+        float wide = 0, deep = 0; // distance from the middle of the upper face, m
         for (const vec4& p : state.position.read<vec4>(state.particles()))
             if (double(p.w) > metal.liquidus) {
                 wide = std::max(wide, std::abs(p.z - 0.2F * kMm));

@@ -1,4 +1,4 @@
-// The circuit of a GMAW torch: what current melts the wire, when the arc is open, short, long or out.
+// The circuit of a GMAW torch: melting current, and open, short, long or extinguished arcs.
 #include "core/weld/process/weld_constants.hpp"
 #include "core/weld/process/wire_arc.hpp"
 #include "tests/support/catch.hpp"
@@ -17,7 +17,7 @@ WireFeed machine(double voltage, double diameterMm = 0.9, double feedMPerMin = 5
     return {voltage, feedMPerMin / 60, WireMelting::steel(diameterMm * kMm)};
 }
 
-/// A wire that has burned at one distance until nothing changes any more.
+/// Returns a wire that has burned at one distance until its state is steady.
 WireArc settled(const WireFeed& feed, double ctwd) {
     WireArc wire(ctwd - 1 * kMm);
     for (int i = 0; i < 300; ++i)
@@ -41,7 +41,8 @@ TEST_CASE("0.9 mm wire at 5.8 m/min takes 140, 122 and 111 A at 7, 12 and 17 mm 
 }
 
 TEST_CASE("a wire melts at the currents of six of the logged beads that it was fitted on, within 12 %") {
-    // Feed (m/min) and current (A) of B008, B022, B028, B020, B026 and B016, 12 to 13 mm from the bead's crown.
+    // The values are feed (m/min) and current (A) of B008, B022, B028, B020, B026 and B016, 12 to 13 mm from the bead's
+    // crown.
     for (const auto& [feed, current] :
          {std::pair(2.3, 66.2), {2.51, 77.8}, {4.64, 138.0}, {5.49, 147.9}, {6.91, 170.4}, {8.15, 201.5}}) {
         const WireMelting wire = WireMelting::steel(1e-3);
@@ -65,7 +66,7 @@ TEST_CASE("a dipping wire bears a pool that heaves under it, and its mean curren
     }
     CHECK(sum / kSteps == Approx(calm).epsilon(0.05));
     CHECK(melted + wire.extension() - before == Approx(feed.speed * kStep * kSteps));
-    // A torch that is torn off loses its arc all the same.
+    // A torch that is pulled away still loses its arc.
     for (int i = 0; i < 3 && wire.action() != ArcAction::out; ++i)
         wire.step(feed, 30 * kMm, kStep);
     CHECK(wire.action() == ArcAction::out);
@@ -77,11 +78,11 @@ TEST_CASE("at each distance the arc settles where the wire melts as fast as it c
     const WireFeed feed = machine(voltage);
     const WireArc wire = settled(feed, ctwd);
     INFO(voltage << " V at " << ctwd * 1e3 << " mm: " << wire.current() << " A, arc " << wire.length() * 1e3 << " mm");
-    if (wire.extension() < 1e-6) return; // burnt back to the contact tip: too much voltage for this distance
+    if (wire.extension() < 1e-6) return; // burned back to the contact tip: too much voltage for this distance
     CHECK(wire.melted() == Approx(feed.speed * kStep).epsilon(1e-6));
     CHECK(wire.current() == Approx(feed.melting.current(feed.speed, wire.extension())).epsilon(1e-6));
     CHECK(wire.length() + wire.extension() == Approx(ctwd));
-    // Open above V0 + R I, shorting below.
+    // The arc is open above V0 + R I, short below.
     const double left = voltage - kArcFallVoltage - kWireResistance * wire.current();
     if (left > 0) {
         CHECK(wire.action() == ArcAction::burning);
@@ -113,7 +114,7 @@ TEST_CASE("the longer the arc is pulled, the more it is stretched, until it brea
     WireArc wire = settled(feed, 14 * kMm);
     double stretch = wire.stretch();
     bool broke = false, out = false;
-    for (double ctwd = 14; ctwd < 40 && !out; ctwd += 1) { // faster than the wire follows
+    for (double ctwd = 14; ctwd < 40 && !out; ctwd += 1) { // faster than the wire can follow
         wire.step(feed, ctwd * kMm, kStep);
         out = wire.action() == ArcAction::out;
         broke = broke || wire.action() == ArcAction::breaking;
@@ -141,14 +142,14 @@ TEST_CASE("wire that is fed into the air stands out as far as it was fed, and st
     }
     CHECK(struck);
     CHECK(wire.action() == ArcAction::burning);
-    CHECK(melted + wire.extension() == Approx(10 * kMm + fed)); // nothing is lost or made
+    CHECK(melted + wire.extension() == Approx(10 * kMm + fed)); // length is conserved
     CHECK(wire.extension() < 15 * kMm);
 }
 
 TEST_CASE("too little voltage stubs") {
     CHECK(settled(machine(11), 12 * kMm).action() == ArcAction::stubbed);
     CHECK(settled(machine(16), 12 * kMm).action() == ArcAction::shorting);
-    // More wire than the machine's short circuit melts piles up.
+    // Wire piles up if the machine's short circuit melts less than the feed.
     const WireFeed feed = machine(20, 1.6, 30);
     WireArc wire(12 * kMm);
     for (int i = 0; i < 30; ++i)

@@ -1,5 +1,5 @@
-// Torch paths as people have them, from spreadsheets, robots and motion capture: tests/data/brought/ holds one for each
-// oddity. They are all the path of plain.csv, or are refused with a sentence that names the fault.
+// Torch paths from spreadsheets, robots and motion capture: each file of tests/data/brought/ has one oddity, and yields
+// the path of plain.csv or a refusal that names the fault.
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "core/weld/torch/torch_path.hpp"
@@ -21,7 +21,7 @@ fs::path brought(const std::string& name) {
 
 struct Taken {
     const char* name;
-    const char* form; ///< what is told of it
+    const char* form; ///< description of its form
 };
 
 const std::vector<Taken> kTaken{
@@ -144,10 +144,10 @@ TEST_CASE("a torch that is not seen stays where it was seen last, its trigger re
     const TorchPath path = TorchPath::read(brought("rows-without-pose.csv"));
     const auto& rows = path.samples();
     CHECK_FALSE(path.sample(0).seen);
-    CHECK(path.sample(0).tip == rows[1].tip); // before the first time it is where it is seen then
+    CHECK(path.sample(0).tip == rows[1].tip); // before the first seen pose the torch is already there
     CHECK(path.sample(0.07).seen);
     CHECK(path.sample(0.07).trigger == 1);
-    CHECK(path.sample(0.07).tip == rows[3].tip); // no way leads to a row without a pose
+    CHECK(path.sample(0.07).tip == rows[3].tip); // no motion leads to a row without a pose
     for (const double time : {0.08, 0.1, 0.13}) {
         const TorchSample lost = path.sample(time);
         CHECK_FALSE(lost.seen);
@@ -169,7 +169,7 @@ TEST_CASE("times that are seconds stay as they are, slow paths and pauses too", 
     const auto [paused, later] = clockOf({9.5, 9.7, 9.9}, 1e-3F);
     CHECK_FALSE(paused.shifted);
     CHECK(later.back().time == 9.9);
-    const auto [sparse, same] = clockOf({0, 10, 20}, 1e-3F); // a person writes three places of a slow path
+    const auto [sparse, same] = clockOf({0, 10, 20}, 1e-3F); // three places of a slow path, typed by a person
     CHECK(sparse.unit == "s");
     CHECK(same.back().time == 20);
     const auto [still, standing] = clockOf({0, 10, 20, 30, 40, 50, 60, 70, 80, 90, 100}, 0);

@@ -1,4 +1,4 @@
-// Torch files with random damage are either refused with file and sentence or give a path whose every sample is sound.
+// Torch files with random damage: refused with file and sentence, or read as a path whose every sample is sound.
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "core/weld/torch/torch_path.hpp"
@@ -47,7 +47,7 @@ void checkSound(const TorchPath& path) {
     }
 }
 
-/// How many of the damaged files were still taken.
+/// Returns the number of damaged files that are accepted.
 int survivors(const char* folder, const char* name, int tries) {
     const std::string whole = readTextFile(test::testFolder() / folder / name);
     const auto file = test::scratchFolder("fuzz") / name;
@@ -72,7 +72,7 @@ int survivors(const char* folder, const char* name, int tries) {
 TEST_CASE("damaged torch files never give an unsound path", "[weld]") {
     for (const char* name : {"recorded.csv", "authored.toml"}) {
         const int taken = survivors("paths", name, 1500);
-        // Both ways out must have been tried.
+        // Both outcomes must occur.
         CHECK(taken > 10);
         CHECK(taken < 1490);
     }

@@ -1,4 +1,4 @@
-// Torch paths: interpolation, what each move does, that a written path reads back to the same bits, and bad input.
+// Torch paths: interpolation, the effect of each move, equal bits after writing and reading, and bad input.
 #include "core/weld/torch/torch_path.hpp"
 
 #include "core/base/error.hpp"
@@ -23,7 +23,7 @@ std::filesystem::path written(const std::string& name, const std::string& text) 
     return file;
 }
 
-/// The sentence with which a file is refused; empty when it is taken.
+/// Returns the sentence that refuses a file; empty if the file is accepted.
 std::string refusal(const std::string& name, const std::string& text) {
     try {
         TorchPath::read(written(name, text));
@@ -37,7 +37,7 @@ TorchPath shipped(const char* name) {
     return TorchPath::read(test::testFolder() / "paths" / name);
 }
 
-/// Angle between two directions, rad.
+/// Returns the angle between two directions, rad.
 double between(const glm::vec3& a, const glm::vec3& b) {
     return std::acos(std::clamp(static_cast<double>(glm::dot(a, b)), -1.0, 1.0));
 }
@@ -88,7 +88,7 @@ TEST_CASE("a written recording reads back to the same bits, with and without a f
         time += 1.0 / 60;
         const glm::quat q = glm::normalize(glm::quat(any(random), any(random), any(random), any(random)));
         recording.samples.push_back({time, {any(random), any(random), any(random)}, q, std::abs(any(random))});
-        if (rods && i % 3 > 0) // the hand lets it go now and then
+        if (rods && i % 3 > 0) // the hand drops the rod now and then
             recording.samples.back().rod =
                 RodSample{{any(random), any(random), any(random)}, glm::conjugate(q), std::abs(any(random))};
         recording.furtherCells.push_back({std::to_string(i)});
@@ -132,9 +132,9 @@ TEST_CASE("work and travel angle lean the torch as welders count them", "[weld]"
         return heldOrientation(glm::radians(work), glm::radians(travel), along) * glm::vec3(0, 0, -1);
     };
     CHECK(between(axis(90, 0, x), {0, -1, 0}) == Approx(0).margin(1e-3));
-    // 45 degrees in a fillet: the handle leans to the welder, the torch points down and away.
+    // The angle is 45 degrees in a fillet: the handle leans to the welder, the torch points down and away.
     CHECK(between(axis(45, 0, x), glm::normalize(glm::vec3(0, -1, -1))) == Approx(0).margin(1e-3));
-    // Pushing points where it goes, in either direction; dragging points back.
+    // A pushed torch points in the travel direction, either way; a dragged one points back.
     CHECK(axis(90, 15, x).x == Approx(std::sin(glm::radians(15.0))));
     CHECK(axis(90, 15, -x).x == Approx(-std::sin(glm::radians(15.0))));
     CHECK(axis(90, -15, x).x == Approx(-std::sin(glm::radians(15.0))));
@@ -146,7 +146,7 @@ TEST_CASE("work and travel angle lean the torch as welders count them", "[weld]"
 TEST_CASE("a torch that comes from the side strikes at the angles asked for, and keeps them along the seam", "[weld]") {
     struct Seam {
         const char* path;
-        double work, travel, strike; ///< degrees, degrees, s
+        double work, travel, strike; ///< degrees; degrees; s
     };
     const double tee = std::hypot(25 - 3.4, 25 - 3.7) / 80, thin = std::hypot(25 - 2.1, 25 - 2.3) / 80,
                  lap = std::hypot(25 - 2.1, 25 - 2.4) / 80, stick = (25.0 - 4) / 80;
@@ -185,7 +185,7 @@ TEST_CASE("between two seams a released torch is held for the second, after the 
     CHECK(between(axis(path, 3.5), asked(second)) == Approx(0).margin(1e-3));
     CHECK(between(axis(path, 4.5), asked(second)) == Approx(0).margin(1e-3));
     CHECK(between(axis(path, 6), asked(second)) == Approx(0).margin(1e-3));
-    // Without a line that is welded there is no seam: the torch turns to where it goes.
+    // Without a welded line there is no seam: the torch turns in its travel direction.
     const TorchPath spot = TorchPath::read(
         written("spot.toml", start + line("[0, 20, 10]") + on + "[[move]]\nkind = 'hold'\nseconds = 1\n"));
     CHECK(between(axis(spot, 1.5), asked({0, 0, -1})) == Approx(0).margin(1e-3));
@@ -208,7 +208,7 @@ TEST_CASE("a weave reaches both toes, rests there, and ends on the seam", "[weld
         highest = std::max(highest, tip.y);
         fastest = std::max(fastest, static_cast<double>(glm::length(path.sample(t + 0.001).tip - tip)));
     }
-    // The torch leans at 45 degrees, and the swing of 8 mm goes across it.
+    // The torch leans at 45 degrees, and the swing of 8 mm is perpendicular to it.
     CHECK(widest == Approx(0.004 * std::sqrt(0.5)).margin(1e-5));
     CHECK(narrowest == Approx(-0.004 * std::sqrt(0.5)).margin(1e-5));
     CHECK(highest == Approx(0.015 + 0.004 * std::sqrt(0.5)).margin(1e-5));
@@ -223,7 +223,7 @@ TEST_CASE("a path on a pipe goes around it at the speed and the angles that are 
                              std::to_string(4 * quarter * 1e3) + ", 3, 0]\nspeed_mm_s = 5\n";
     const TorchPath path = TorchPath::read(written("pipe.toml", text));
     CHECK(path.duration() == Approx(2 * quarter / 5e-3));
-    for (const double share : {0.0, 0.3, 0.5, 1.0}) { // from the bottom up the left side to the top
+    for (const double share : {0.0, 0.3, 0.5, 1.0}) { // from the bottom along the left side to the top
         const double angle = glm::pi<double>() * (1 + share);
         const TorchSample torch = path.sample(share * path.duration());
         const glm::dvec2 out(std::sin(angle), std::cos(angle)), along(std::cos(angle), -std::sin(angle));
@@ -231,9 +231,9 @@ TEST_CASE("a path on a pipe goes around it at the speed and the angles that are 
         INFO(share);
         CHECK(glm::distance(glm::dvec2(torch.tip.x, torch.tip.y), tip) < 1e-6);
         CHECK(torch.tip.z == Approx(0).margin(1e-7));
-        const glm::dvec2 axis = std::sin(lean) * along - std::cos(lean) * out; // it points where it goes
+        const glm::dvec2 axis = std::sin(lean) * along - std::cos(lean) * out; // points in the travel direction
         CHECK(between(torch.axis(), glm::vec3(float(axis.x), float(axis.y), 0)) == Approx(0).margin(1e-3));
-        // The rod's end lies before the electrode and under its tip, as the handle leans.
+        // The rod's end is before the electrode and under its tip, according to the handle's lean.
         const glm::dvec2 rod = tip + 3e-3 * along - 2e-3 * out;
         CHECK(glm::distance(glm::dvec2(torch.rod->tip.x, torch.rod->tip.y), rod) < 1e-6);
     }
@@ -345,7 +345,7 @@ TEST_CASE("a rod moves evenly between rows, and a table has all of its columns o
     CHECK(path.sample(0.5).rod->tip.x == Approx(0.015));
     CHECK(path.sample(0.5).rod->tip.y == Approx(0.002));
     CHECK(path.sample(0.5).rod->feed == Approx(0.002));
-    CHECK(path.sample(1.5).rod->tip.x == Approx(0.02)); // until the row that has none
+    CHECK(path.sample(1.5).rod->tip.x == Approx(0.02)); // until the row without a rod
     CHECK_FALSE(path.sample(2).rod);
     CHECK_THAT(refusal("rod.csv", "time_s,x_mm,y_mm,z_mm,qx,qy,qz,qw,trigger,rod_x_mm\n0,0,0,0,0,0,0,1,1,2\n"),
                containsText("rod.csv:1: the column 'rod_y_mm' is missing"));
@@ -367,7 +367,7 @@ TEST_CASE("an authored rod dips in front of the electrode, and the hand follows 
     CHECK(double(rest.tip.y) * 1e3 == Approx(12 * s));
     CHECK(rest.feed == Approx(1.5e-3));
     CHECK(between(rest.axis(), {-float(c), -float(s), 0}) == Approx(0).margin(1e-3));
-    const RodSample dipped = *path.sample(1.5).rod; // half a swing into the line, which is 1 mm farther
+    const RodSample dipped = *path.sample(1.5).rod; // half a swing into the line, 1 mm farther on
     CHECK(double(dipped.tip.x) * 1e3 == Approx(1 + 3 - c).margin(1e-3));
     CHECK(double(dipped.tip.y) * 1e3 == Approx(-s).margin(1e-3));
     CHECK(double(path.sample(2).rod->tip.x) * 1e3 == Approx(2 + 3 + 12 * c).margin(1e-3));
@@ -380,6 +380,6 @@ TEST_CASE("an authored rod dips in front of the electrode, and the hand follows 
                                "[[move]]\nkind = 'hold'\nseconds = 1\n"));
     CHECK(double(follows.sample(1).tip.y) * 1e3 == Approx(3));
     CHECK(double(follows.sample(3).tip.y) * 1e3 == Approx(3 - 2 * 3));
-    CHECK(double(follows.sample(7).tip.y) * 1e3 == Approx(3 - 5 * 3)); // and stays where it has come to
+    CHECK(double(follows.sample(7).tip.y) * 1e3 == Approx(3 - 5 * 3)); // then stays at its depth
     CHECK(double(follows.sample(7).tip.x) * 1e3 == Approx(20));
 }

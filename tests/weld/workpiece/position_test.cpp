@@ -1,4 +1,4 @@
-// Positions turn the workpiece and gravity as the standards say, and molten metal runs down in each of them.
+// Welding positions: they turn workpiece and gravity according to the standards, and molten metal runs down in each.
 #include "core/weld/workpiece/position.hpp"
 
 #include "core/weld/process/weld.hpp"
@@ -15,7 +15,7 @@ using namespace meltpool;
 namespace {
 
 constexpr float kMm = 1e-3F;
-constexpr float kHot = 2100; ///< K
+constexpr float kHot = 2100; ///< temperature of the metal, K
 
 const glm::vec3 kAlong(1, 0, 0), kOut(0, 1, 0), kUp(0, 1, 0), kDown(0, -1, 0), kToWelder(0, 0, 1);
 const glm::vec3 kBisector = glm::normalize(glm::vec3(0, 1, 1));
@@ -27,7 +27,7 @@ WorkpieceParameters pieceOf(WorkpieceKind kind, WeldPosition position) {
     return p;
 }
 
-/// Where a direction of the workpiece points in the room.
+/// Returns a direction of the workpiece in the room.
 glm::vec3 inRoom(WorkpieceKind kind, WeldPosition position, const glm::vec3& direction) {
     return fixtureOf(pieceOf(kind, position)).turn * direction;
 }
@@ -54,7 +54,7 @@ struct HotPlate {
         weld = std::make_unique<Weld>(test::shaders(), shippedMaterial("s235"), piece, settings, around);
     }
 
-    /// Molten metal at rest in a box over the plate, mm.
+    /// Adds molten metal at rest in a box over the plate, mm.
     void pour(const glm::ivec3& low, const glm::ivec3& high) {
         std::vector<MetalSeed> melt;
         for (int z = low.z; z < high.z; ++z)
@@ -70,7 +70,7 @@ struct HotPlate {
             weld->metal().step({}, {}, nullptr);
     }
 
-    /// Middle of what was poured, mm.
+    /// Returns the middle of the poured metal, mm.
     glm::vec3 middle() const {
         glm::vec3 sum(0);
         for (const glm::vec3& place : places())
@@ -99,21 +99,21 @@ TEST_CASE("each position holds the joint as the standards say", "[position]") {
     for (const Kind kind : {Kind::Plate, Kind::Butt}) {
         checkPoints(kind, Position::g1, kOut, kUp);
         checkPoints(kind, Position::flat, kOut, kUp);
-        checkPoints(kind, Position::g2, kOut, kToWelder);   // the plate stands
-        checkPoints(kind, Position::g2, kAlong, {1, 0, 0}); // and the seam lies
+        checkPoints(kind, Position::g2, kOut, kToWelder);   // the plate is vertical
+        checkPoints(kind, Position::g2, kAlong, {1, 0, 0}); // and the seam horizontal
         checkPoints(kind, Position::g3, kOut, kToWelder);
         checkPoints(kind, Position::g3, kAlong, kUp);
         checkPoints(kind, Position::g4, kOut, kDown);
     }
     for (const Kind kind : {Kind::Tee, Kind::Lap, Kind::Corner}) {
-        checkPoints(kind, Position::f1, kBisector, kUp); // a trough
+        checkPoints(kind, Position::f1, kBisector, kUp); // trough position
         checkPoints(kind, Position::flat, kBisector, kUp);
         checkPoints(kind, Position::f1, kAlong, {1, 0, 0});
         checkPoints(kind, Position::f2, kOut, kUp);
         checkPoints(kind, Position::f3, kAlong, kUp);
         checkPoints(kind, Position::f3, kBisector, kToWelder);
         checkPoints(kind, Position::f4, kOut, kDown);
-        checkPoints(kind, Position::f4, {0, 0, 1}, kToWelder); // the standing plate stays behind
+        checkPoints(kind, Position::f4, {0, 0, 1}, kToWelder); // the upright plate remains behind
     }
     for (size_t i = 0; i < positionNames().size(); ++i) {
         const glm::mat3 turn = fixtureOf(pieceOf(Kind::Butt, static_cast<Position>(i))).turn;
@@ -182,7 +182,7 @@ TEST_CASE("overhead a film hangs on the plate, and a free drop falls on the tabl
     HotPlate drop(WeldPosition::g4);
     drop.pour({-1, 7, -1}, {1, 9, 1});
     drop.run(0.3);
-    const float floor = -drop.piece.floorHeight / kMm; // y of the table in the workpiece's frame, mm
+    const float floor = -drop.piece.floorHeight / kMm; // the table's y in the workpiece's frame, mm
     CHECK(floor > 17);
     for (const glm::vec3& place : drop.places()) {
         CHECK(place.y > floor - 3);
@@ -197,7 +197,7 @@ TEST_CASE("a cut-off piece falls on the table of its position", "[position]") {
         p.lengthMm = p.widthMm = 16;
         p.thicknessMm = 4;
         Workpiece piece = makeWorkpiece(p);
-        // A cube of solid metal that nothing holds, over the plate's face.
+        // A loose cube of solid metal is over the plate's face.
         const glm::vec3 place = glm::vec3(0, 6, 0) * kMm;
         const size_t first = piece.seeds.size();
         for (const MetalSeed& seed : latticeSeeds(piece.lattice, place - 1.5F * kMm, place + 1.5F * kMm, 300))
@@ -213,7 +213,7 @@ TEST_CASE("a cut-off piece falls on the table of its position", "[position]") {
         for (size_t i = first; i < all.size(); ++i)
             lowest = std::min(lowest, glm::dot(glm::vec3(all[i]), piece.up) - piece.floorHeight);
         INFO(positionNames()[static_cast<size_t>(position)] << ": " << lowest * 1e3F << " mm over the table");
-        const bool lands = position != WeldPosition::g1; // there it lies on the plate
+        const bool lands = position != WeldPosition::g1; // in these positions the cube falls onto the plate
         CHECK((lowest < 1.2F * kMm) == lands);
         CHECK(lowest > -0.3F * kMm);
     }

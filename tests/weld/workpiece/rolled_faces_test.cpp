@@ -1,4 +1,4 @@
-// Which faces of each workpiece are rolled, and along what its seam runs.
+// The rolled faces of each workpiece, and the direction of its seam.
 #include "core/weld/workpiece/rolled_faces.hpp"
 #include "tests/support/catch.hpp"
 
@@ -30,7 +30,7 @@ TEST_CASE("plates are rolled across their thickness and ground beside a seam alo
         CHECK(rolled.across == glm::vec3(0, 1, 1));
         CHECK(rolled.ground == Approx(0.01));
     }
-    const RolledFaces bevelled = of(WorkpieceKind::Butt, 30); // bevels lie beside its parts
+    const RolledFaces bevelled = of(WorkpieceKind::Butt, 30); // bevels are outside its parts
     REQUIRE(bevelled.count == 2);
     CHECK(std::max(bevelled.parts[0].low.z, bevelled.parts[1].low.z) > 4e-3F);
 }

@@ -1,5 +1,5 @@
-// Sizes that are no whole number of particles: metal, gauge and pictures have their faces where the asked ones are to
-// half a spacing, on one and the same plane, and what differs is said.
+// Sizes that are no whole number of particles: metal, gauge and pictures have coincident faces within half a spacing of
+// the requested ones, and differences are reported.
 #include "core/weld/gauge/weld_section.hpp"
 #include "core/weld/workpiece/simulated_size.hpp"
 #include "tests/support/catch.hpp"
@@ -18,12 +18,12 @@ using namespace meltpool;
 namespace {
 
 constexpr std::array<float, 4> kSpacingsMm{0.5F, 0.75F, 1.0F, 1.5F};
-constexpr int kRows = 6;            ///< of particles in a synthetic fillet
-constexpr int kHigh = 3, kWide = 8; ///< particles of a bead
-constexpr float kFusion = 1800;     ///< K
-constexpr float kRounding = 1e-3F;  ///< spacings
+constexpr int kRows = 6;            ///< rows of particles in a synthetic fillet
+constexpr int kHigh = 3, kWide = 8; ///< particles in a bead's height and width
+constexpr float kFusion = 1800;     ///< fusion temperature, K
+constexpr float kRounding = 1e-3F;  ///< tolerance in spacings
 
-/// Small across the seam and along it, so that thousands are made in seconds.
+/// Returns a workpiece so small along and across the seam that thousands are made in seconds.
 WorkpieceParameters pieceOf(WorkpieceKind kind, float thicknessMm, float spacingMm) {
     WorkpieceParameters p;
     p.kind = static_cast<int>(kind);
@@ -45,7 +45,7 @@ WorkpieceParameters pieceOf(WorkpieceKind kind, float thicknessMm, float spacing
     return p;
 }
 
-/// The planes between which the seeds' cells lie, mm.
+/// Returns the planes around the seeds' cells, mm.
 WorkpieceBlock cellsOf(const Workpiece& piece, const std::vector<MetalSeed>& seeds) {
     WorkpieceBlock box{glm::vec3(1e9F), glm::vec3(-1e9F)};
     for (const MetalSeed& seed : seeds) {
@@ -55,7 +55,7 @@ WorkpieceBlock cellsOf(const Workpiece& piece, const std::vector<MetalSeed>& see
     return {box.low * 1e3F, box.high * 1e3F};
 }
 
-/// Of the seeds that lie on one side of a plane, mm.
+/// Returns the planes of the seeds on one side of a plane, mm.
 template <class Side>
 WorkpieceBlock partOf(const Workpiece& piece, Side side) {
     std::vector<MetalSeed> part;
@@ -64,10 +64,9 @@ WorkpieceBlock partOf(const Workpiece& piece, Side side) {
     return cellsOf(piece, part);
 }
 
-/// How far the faces at the seam and those across the plates lie from where they were asked for, mm: the greatest of
-/// all. Of the faces at the corner of a fillet itself, which the torch path and the gauge count from, tenfold.
-/// `free`: the upper end of a tee's standing plate too, which ends with a layer, whatever its height. `middle`: of the
-/// gap, mm beside the seam.
+/// Returns the greatest distance (mm) of the faces at the seam and of those across the plates from their requested
+/// places. Faces at a fillet's corner, the origin of torch path and gauge, count tenfold. `free` includes the upper end
+/// of a tee's upright plate, which ends with a layer at any height. `middle` is the gap's, mm from the seam.
 float farthestFace(const WorkpieceParameters& asked, const Workpiece& piece, bool free = true, float middle = 0) {
     const float t = asked.thicknessMm;
     float most = 0;
@@ -112,7 +111,7 @@ float farthestFace(const WorkpieceParameters& asked, const Workpiece& piece, boo
     return most;
 }
 
-/// Whether the boxes that pictures draw hold each particle's cell, and nothing else.
+/// True if the boxes that pictures draw contain each particle's cell, and no other space.
 bool blocksAreTheMetal(const Workpiece& piece) {
     const double cell = std::pow(static_cast<double>(piece.lattice.spacing), 3);
     double cells = 0;
@@ -142,7 +141,7 @@ struct Weld {
         values.phases.push_back(phase);
     }
 
-    /// Along the whole of a straight seam, or around the upper part of a pipe.
+    /// Adds a particle along the whole of a straight seam, or around the upper part of a pipe.
     void add(glm::vec2 mm) {
         const float spacing = piece.lattice.spacing;
         if (radiusMm > 0) {
@@ -175,7 +174,7 @@ struct Weld {
     ParticleValues values;
 };
 
-/// A fillet whose straight surface lies `rows` and a half spacings from the corner along both faces.
+/// Returns a fillet whose straight surface is `rows` and a half spacings from the corner along both faces.
 Section filletOf(const Workpiece& piece, float spacingMm, int rows) {
     Weld weld(piece);
     for (int row = 0; row < rows; ++row)
@@ -184,7 +183,7 @@ Section filletOf(const Workpiece& piece, float spacingMm, int rows) {
     return weld.measure();
 }
 
-/// A bead of kHigh rows of particles over the face, the lowest kWide wide, whose edges follow a circle.
+/// Returns a bead of kHigh rows of particles over the face, the lowest kWide wide, whose edges follow a circle.
 Section beadOf(const WorkpieceParameters& p, const Workpiece& piece, float highMm) {
     Weld weld(piece,
               static_cast<WorkpieceKind>(p.kind) == WorkpieceKind::Pipe ? static_cast<double>(p.diameterMm) / 2 : 0);
@@ -200,7 +199,7 @@ Section beadOf(const WorkpieceParameters& p, const Workpiece& piece, float highM
 template <class Check>
 void sweep(Check check) {
 #ifdef __SANITIZE_ADDRESS__
-    constexpr int kStep = 11; // the way through the code is the same, ten times as slow
+    constexpr int kStep = 11; // each size takes ten times as long and covers no other code
 #else
     constexpr int kStep = 1;
 #endif
@@ -242,7 +241,7 @@ TEST_CASE("a fillet on plates of any thickness has its legs and its area within 
             const WorkpieceParameters asked = pieceOf(kind, thickness, spacing);
             const Workpiece piece = makeWorkpiece(asked);
             const int layers = static_cast<int>(std::lround(simulatedWorkpiece(asked).thicknessMm / spacing));
-            // On a plate's edge the weld ends below the next face, and must be thick enough to be one.
+            // On a plate's edge the weld ends below the next face, and must be thick enough for a layer.
             const int rows = kind == WorkpieceKind::Tee ? kRows : std::min(kRows, layers - 1);
             if (rows < 3) continue;
             INFO("workpiece " << static_cast<int>(kind) << ", " << thickness << " mm of " << spacing << " mm");
@@ -337,7 +336,7 @@ TEST_CASE("a pipe of any wall has the metal of the wall that is said", "[sizes]"
         const double area = std::numbers::pi * wall * (2 * outer - wall);
         const double cell = static_cast<double>(spacing) * static_cast<double>(spacing);
         const double found = static_cast<double>(pipe.seeds.size()) / 14 * cell; // 14 layers across
-        // The steps of round faces lie within 0.15 spacings on average.
+        // The steps of round faces are within 0.15 spacings on average.
         const double faces = 2 * std::numbers::pi * (2 * outer - wall);
         CHECK(found == Approx(area).margin(0.15 * static_cast<double>(spacing) * faces));
         REQUIRE(pipe.pipe);

@@ -1,5 +1,4 @@
-// Workpieces have the metal their measures promise, clamps where they belong, and machines put in the power and wire
-// they state.
+// Workpieces: metal of the stated measures, clamps at the right places, and the stated power and wire of machines.
 #include "core/base/error.hpp"
 #include "core/weld/process/filler.hpp"
 #include "core/weld/workpiece/position.hpp"
@@ -65,7 +64,7 @@ TEST_CASE("bevels take their triangles off the edges of a butt joint") {
             p.bevelDeg = static_cast<float>(bevel);
             const double rise = 8, run = rise * std::tan(bevel * std::numbers::pi / 180);
             const double exact = 40 * (10 * 48 - rise * run);
-            // The bevelled face of a lattice lies within half a spacing.
+            // The bevelled face of a lattice is within half a spacing.
             CHECK(volumeOf(makeWorkpiece(p)) == Approx(exact).margin(40 * std::hypot(rise, run) * spacing + 1e-3));
         }
     p.bevelDeg = 30;
@@ -106,7 +105,7 @@ TEST_CASE("a pipe is a tube, parted where it has a gap, and clamped at its ends"
                 const double exact = std::numbers::pi * (5 * 45 * (40 - gap) - 2 * (25 - 4.0 / 3) * run * 4);
                 CHECK(volumeOf(pipe) == Approx(exact).epsilon(0.02));
                 CHECK(clampedIn(pipe) > 0);
-                REQUIRE(pipe.pipe); // what the picture puts its faces on
+                REQUIRE(pipe.pipe); // radius of the picture's faces
                 CHECK(pipe.pipe->outer == Approx(0.025));
                 CHECK(pipe.pipe->inner == Approx(0.020));
                 CHECK(pipe.pipe->axis.y == Approx(-0.025));
@@ -122,7 +121,7 @@ TEST_CASE("a pipe is a tube, parted where it has a gap, and clamped at its ends"
             }
     p.gapMm = 0;
     p.bevelDeg = 0;
-    p.widthMm = 41; // a layer of cells lies in the middle
+    p.widthMm = 41; // a layer of cells is in the middle
     CHECK(volumeOf(makeWorkpiece(p)) == Approx(std::numbers::pi * 5 * 45 * 41).epsilon(0.02));
 }
 
@@ -146,9 +145,9 @@ TEST_CASE("tacks join the parts where the seam will be, from end to end, and are
             REQUIRE(piece.seeds[i].position == bare.seeds[i].position);
         REQUIRE(piece.seeds.size() == bare.seeds.size() + piece.tackSeeds);
         const bool corner = kind != WorkpieceKind::Butt && kind != WorkpieceKind::Pipe;
-        // A triangle of half the plate's thickness; a groove's root face of 2 mm and 1 mm of its bevel.
+        // The bevel is a triangle of half the plate's thickness; a groove has a root face of 2 mm and 1 mm of bevel.
         const double area = corner ? 0.5 * 3 * 3 : 2 * 3 + std::tan(std::numbers::pi / 6);
-        // The length of a pipe's tack counts on its outer face.
+        // The length of a pipe's tack is measured on its outer face.
         const double length = kind == WorkpieceKind::Pipe ? 8 * 25.5 / 30 : 8;
         CHECK(static_cast<double>(piece.tackSeeds) * 0.125 == Approx(3 * length * area).epsilon(0.2));
         if (kind == WorkpieceKind::Pipe) continue;

@@ -39,7 +39,7 @@ void CallOrder::sessionMade(const XrSessionCreateInfo& info) {
         fault("the binding's device context is not the current one");
     if (GetPixelFormat(deviceContext_) == 0) fault("the binding's device context has no pixel format");
     if (GetObjectType(deviceContext_) != OBJ_DC) fault("the binding's device context is none");
-    asked_ = false; // the next session asks again
+    asked_ = false; // the next session must query again
 }
 
 void CallOrder::sessionDestroyed() {

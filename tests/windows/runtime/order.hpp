@@ -1,4 +1,4 @@
-// Whether a program keeps the order that OpenXR asks for: what the test runtime for Windows judges.
+// The call order that OpenXR demands, checked by the test runtime for Windows.
 #pragma once
 
 #include <fstream>
@@ -10,7 +10,7 @@
 
 namespace meltpool::test {
 
-/// Writes each call into the file that MELTPOOL_TEST_RUNTIME_LOG names, and "FAULT: ..." where its order is wrong.
+/// Writes each call into the file that MELTPOOL_TEST_RUNTIME_LOG names, and "FAULT: ..." for a wrong order.
 class CallOrder {
   public:
     static CallOrder& only();
@@ -21,7 +21,7 @@ class CallOrder {
     void requirementsAsked();
     void sessionMade(const XrSessionCreateInfo& info);
     void sessionDestroyed();
-    /// A call that needs the program's context.
+    /// Checks a call that needs the program's context.
     void needsContext(const char* call);
     void acquired(XrSwapchain swapchain);
     void waited(XrSwapchain swapchain);

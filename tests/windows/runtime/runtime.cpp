@@ -1,6 +1,6 @@
-// The stub runtime as a library that Windows' OpenXR loader takes: it answers the loader's negotiation, and each call
-// that has an order goes past CallOrder. With MELTPOOL_TEST_RUNTIME_LOSE=N it loses its session at the Nth frame's end,
-// and with MELTPOOL_TEST_RUNTIME_NO_OPENGL it takes no OpenGL.
+// The stub runtime as a library for Windows' OpenXR loader: it answers the loader's negotiation, and passes each
+// ordered call through CallOrder. With MELTPOOL_TEST_RUNTIME_LOSE=N it loses its session at the Nth frame's end, and
+// with MELTPOOL_TEST_RUNTIME_NO_OPENGL it refuses OpenGL.
 #include "tests/windows/runtime/order.hpp"
 #include "tests/xr/stub/stub_runtime.hpp"
 

@@ -1,4 +1,4 @@
-// What is heard, in words.
+// Captions of the sound.
 #include "core/training/feedback/sound/ear.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/training/feedback/sound/sound_steps.hpp"
@@ -8,7 +8,7 @@ using namespace meltpool::test;
 
 namespace {
 
-/// The caption after `seconds` of steps that are all alike.
+/// Returns the caption after `seconds` of equal steps.
 std::string after(Captions& captions, const SoundStep& step, double seconds) {
     for (double time = 0; time < seconds; time += step.seconds)
         captions.step(step);
@@ -53,7 +53,7 @@ TEST_CASE("a caption does not flicker", "[sound]") {
     after(captions, openArc(Smaw::kTraits), 1);
     int changes = 0;
     std::string last(captions.text());
-    for (int i = 0; i < 900; ++i) { // an arc that goes out for a moment again and again
+    for (int i = 0; i < 900; ++i) { // an arc with repeated short interruptions
         captions.step(i % 20 < 3 ? noArc(Smaw::kTraits, 1) : openArc(Smaw::kTraits));
         changes += captions.text() != last ? 1 : 0;
         last = captions.text();

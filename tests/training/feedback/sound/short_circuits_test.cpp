@@ -1,4 +1,4 @@
-// Short circuits one by one from the arc's rate of them.
+// Single short circuits from the arc's rate.
 #include "core/training/feedback/sound/short_circuits.hpp"
 #include "tests/support/catch.hpp"
 
@@ -42,7 +42,7 @@ TEST_CASE("as many short circuits come as the rate says, each within its step, w
             }
             INFO(rate << " a second in steps of " << seconds << " s");
             CHECK(listed == shorts.count());
-            // The scatter has no mean: ten seconds of it leave a few of them.
+            // The scatter has zero mean: ten seconds leave a small rest.
             CHECK(std::abs(static_cast<double>(listed) - 10 * static_cast<double>(rate)) < 12);
         }
 }
@@ -64,7 +64,7 @@ TEST_CASE("a wire that does not ignite again has no short circuits, and the same
         for (size_t k = 0; k < again.last().size(); ++k)
             CHECK(shorts.last()[k].at == again.last()[k].at);
     }
-    const ShortCircuits copy = again; // a checkpoint
+    const ShortCircuits copy = again; // copy as in a checkpoint
     again.step(shortingArc(90), 0.05);
     ShortCircuits restored = copy;
     restored.step(shortingArc(90), 0.05);

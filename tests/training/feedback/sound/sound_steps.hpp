@@ -1,4 +1,4 @@
-// Steps of made-up arcs for the tests of the sound.
+// Synthetic arc steps for the tests of the sound.
 #pragma once
 
 #include "core/training/feedback/sound/sound.hpp"
@@ -8,9 +8,9 @@
 
 namespace meltpool::test {
 
-inline constexpr double kSoundStep = 1.0 / 90; ///< s
+inline constexpr double kSoundStep = 1.0 / 90; ///< duration of a step, s
 
-/// An open arc of 120 A; `stretch` 0..1.
+/// Returns an open arc of 120 A; `stretch` 0..1.
 inline SoundStep openArc(const ProcessTraits& process, float stretch = 0, float share = 1) {
     SoundStep step;
     step.seconds = kSoundStep;
@@ -34,7 +34,7 @@ inline SoundStep noArc(const ProcessTraits& process, float trigger = 0) {
     return step;
 }
 
-/// A wire that shorts `rate` times a second; takes the short circuits of the step from `shorts`.
+/// Returns a wire that shorts `rate` times a second; takes the short circuits of the step from `shorts`.
 inline SoundStep shorting(ShortCircuits& shorts, float rate = 120) {
     SoundStep step = openArc(Gmaw::kTraits);
     step.arc.action = ArcAction::shorting;
@@ -47,7 +47,7 @@ inline SoundStep shorting(ShortCircuits& shorts, float rate = 120) {
     return step;
 }
 
-/// Adds what the step sounds like.
+/// Adds the sound of the step.
 inline void append(std::vector<float>& samples, Sound& sound, const SoundStep& step) {
     sound.begin(step);
     const size_t before = samples.size();
@@ -55,7 +55,7 @@ inline void append(std::vector<float>& samples, Sound& sound, const SoundStep& s
     sound.read(std::span(samples).subspan(before));
 }
 
-/// `seconds` of steps that are all alike.
+/// Returns the sound of `seconds` of equal steps.
 inline std::vector<float> soundOf(const SoundStep& step, double seconds) {
     Sound sound;
     std::vector<float> samples;
@@ -71,7 +71,7 @@ inline double rootMeanSquare(std::span<const float> samples) {
     return samples.empty() ? 0 : std::sqrt(sum / static_cast<double>(samples.size()));
 }
 
-/// Hz; root of the mean square of the frequency, by the sound's power.
+/// Returns the root mean square frequency by the sound's power, Hz.
 inline double meanFrequency(std::span<const float> samples) {
     double power = 0, slope = 0;
     for (size_t i = 1; i < samples.size(); ++i) {

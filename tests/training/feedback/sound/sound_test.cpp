@@ -1,4 +1,4 @@
-// The synthesis: what is heard of made-up arcs.
+// The sound synthesis for synthetic arcs.
 #include "core/training/feedback/haptics.hpp"
 #include "core/training/feedback/sound/sound_track.hpp"
 #include "tests/support/catch.hpp"
@@ -12,7 +12,7 @@ using namespace meltpool::test;
 
 namespace {
 
-/// Clicks: places where the sound rises over `loud`, not counting what rings on for `rings` s.
+/// Returns the clicks: places where the sound rises over `loud`, except for `rings` s of ringing after each.
 size_t clicksIn(std::span<const float> samples, float loud, double rings = 1.5e-3) {
     size_t clicks = 0;
     const auto pause = static_cast<size_t>(rings * Sound::kRate);
@@ -35,7 +35,7 @@ bool isSilent(std::span<const float> samples) {
     return loudest(samples) == 0;
 }
 
-/// -1..1 by Pearson.
+/// Returns Pearson's correlation, -1..1.
 double correlation(const std::vector<double>& a, const std::vector<double>& b) {
     const auto mean = [](const std::vector<double>& of) {
         double sum = 0;
@@ -66,7 +66,7 @@ TEST_CASE("as many clicks are heard as short circuits are counted", "[sound]") {
         Sound sound;
         ShortCircuits shorts;
         std::vector<float> samples, strike;
-        append(strike, sound, openArc(Gmaw::kTraits)); // the arc's own beginning is no short circuit
+        append(strike, sound, openArc(Gmaw::kTraits)); // the arc's own beginning is not a short circuit
         for (int i = 0; i < 60; ++i)
             append(strike, sound, openArc(Gmaw::kTraits));
         for (int i = 0; i < 900; ++i)
@@ -207,7 +207,7 @@ TEST_CASE("nothing clips, whatever sounds at once", "[sound]") {
     ShortCircuits shorts;
     for (int i = 0; i < 400; ++i) {
         SoundStep step = i % 3 == 0 ? stubbedWire() : shorting(shorts, 168);
-        if (i % 50 == 0) step = noArc(Gmaw::kTraits); // strikes again and again
+        if (i % 50 == 0) step = noArc(Gmaw::kTraits); // repeated strikes
         step.arc.current = 600;
         step.arc.voltage = 60;
         for (ShortCircuit& each : step.shorts)
