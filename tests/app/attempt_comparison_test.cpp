@@ -131,7 +131,7 @@ TEST_CASE("a person who compares two attempts is in no lesson, and the session m
     CHECK_FALSE(activities.at(comparison));
     CHECK_FALSE(comparison.rows());
     session.compare({two, "two"}, {one, "one"});
-    CHECK(comparison.rows()); // both are known
+    CHECK(comparison.rows()); // both attempts are known
     session.begin(controls);
     CHECK(activities.at(activities.attempt));
     CHECK_FALSE(comparison.rows());

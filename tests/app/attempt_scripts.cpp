@@ -20,8 +20,8 @@ namespace {
 constexpr float kMm = 1e-3F;
 constexpr double kFrame = 1.0 / 45;
 constexpr double kPull = 0.1;       ///< s, time of the first trigger pull
-constexpr double kTouched = 0.1;    ///< s that an electrode touches the metal to strike
-constexpr double kOutOfSight = 0.3; ///< s that a lost torch stays lost
+constexpr double kTouched = 0.1;    ///< s of contact for an electrode to strike
+constexpr double kOutOfSight = 0.3; ///< s for which a lost torch remains lost
 
 const std::array<AttemptScript, 20> kScripts{{
     {"flame held over the cube", "flame", "cube", "still", 1.8},
@@ -165,8 +165,7 @@ class Person {
         else
             session_.advance(controls_, kFrame, nullptr, [this](int, int) { return next(); });
         session_.settle(controls_);
-        if (++frames_ % 10 == 0)
-            std::this_thread::sleep_for(std::chrono::milliseconds(2)); // gives checkpoints time to be stored
+        if (++frames_ % 10 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(2)); // time for checkpoints
     }
 
   private:

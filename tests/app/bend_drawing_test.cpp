@@ -84,7 +84,7 @@ TEST_CASE("a broken fillet shows what was not fused at the root's edge of the br
     REQUIRE(test);
     const BendDrawing drawing = drawBend(test->straps.at(0), *test);
     const auto isOpening = [](const BendShape& shape) { return shape.part == BendPart::opening; };
-    CHECK(std::count_if(drawing.shapes.begin(), drawing.shapes.end(), isOpening) == 2); // at the root, on the face
+    CHECK(std::count_if(drawing.shapes.begin(), drawing.shapes.end(), isOpening) == 2); // one at the root, one on face
     const glm::vec2 opening = reachOf(drawing, BendPart::opening);
     CHECK(opening.y - opening.x == Approx(4));
     CHECK_THAT(bendSentence(test->straps[0]), test::containsText("Fillet break, 0 to 40 mm: fails."));

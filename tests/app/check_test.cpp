@@ -82,7 +82,7 @@ TEST_CASE("checks are welded and held against what they expect", "[app]") {
     writeTextFileAtomically(good, "lesson = 'bead.toml'\n[expect]\nscore = [90, 100]\nheight_mm = [1, 5]\n");
     const std::string quoted = " '" + folder.string() + "' --junit '" + junit.string() + "'";
 
-    const test::Outcome first = runMeltpool("check" + quoted); // bead.toml itself is no check
+    const test::Outcome first = runMeltpool("check" + quoted); // bead.toml itself is not a check
     INFO(first.errors << first.output);
     CHECK(first.code == 0);
     CHECK_THAT(first.output, containsText("1 of 1 checks as expected"));
@@ -112,7 +112,7 @@ TEST_CASE("a check tells how it reads a torch path and what is implausible, as a
         check, "lesson = 'bead.toml'\ntorch = 'robot.csv'\n[set]\nseconds = 0.1\n[expect]\nscored = false\n");
     const test::Outcome outcome = runMeltpool("check '" + check.string() + "' --junit '" + junit.string() + "'");
     INFO(outcome.errors << outcome.output);
-    CHECK(outcome.code == 0); // a warning fails no check
+    CHECK(outcome.code == 0); // a warning does not fail a check
     CHECK_THAT(outcome.output, containsText("robot.csv is read as UTF-8, columns parted by semicolons"));
     CHECK_THAT(outcome.errors, containsText("meltpool: warning: The torch path robot.csv lies wholly outside"));
     CHECK_THAT(readTextFile(junit), containsText("<system-err>The torch path robot.csv lies wholly outside"));

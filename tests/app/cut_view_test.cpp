@@ -171,8 +171,7 @@ TEST_CASE("a weld that is not judged is cut with the figures of the cut itself; 
 
 TEST_CASE("the headset turns the section to the reader, large enough, upright and clear of the table", "[app]") {
     const float table = 0.9f;
-    const glm::mat4 lies =
-        glm::translate(glm::mat4(1), glm::vec3(0.1f, table + 0.01f, -0.05f)); // the workpiece at size 1
+    const glm::mat4 lies = glm::translate(glm::mat4(1), glm::vec3(0.1f, table + 0.01f, -0.05f)); // workpiece at size 1
     const CutFace face{0.004f, {0, 1}, 0.006f, {-0.03f, -0.01f, -0.02f}, {0.03f, 0.014f, 0.02f}};
     const glm::mat4 stand = standOfCut(lies, face, table);
     const auto at = [&](float x, float y, float z) { return glm::vec3(stand * glm::vec4(x, y, z, 1)); };

@@ -15,7 +15,7 @@ constexpr int kWidth = 160, kHeight = 120; // pixels per eye
 /// The processes of the test; the lesson of the last one excludes a rod.
 enum class Kind { gmaw, gtaw, gtawWithoutRod };
 
-/// The GMAW lesson on a plate of 24x20 mm, or the same plate under a GTAW torch.
+/// The GMAW lesson on a plate of 24x20 mm, or a GTAW torch on that plate.
 Lesson smallWeld(Kind kind) {
     Lesson lesson = findLesson("gmaw-bead", test::testFolder().parent_path() / "app" / "data" / "lessons");
     lesson.workpiece.lengthMm = 24;
@@ -39,7 +39,7 @@ TorchSample torchWith(bool rod) {
 /// The window's and the headset's picture after some welding.
 struct Shown {
     Image window, eyes;
-    size_t solids = 0; ///< in the window's draw list
+    size_t solids = 0; ///< number in the window's draw list
 };
 
 Shown weldWith(Kind kind, const TorchSample& torch) {

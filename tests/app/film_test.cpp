@@ -52,7 +52,7 @@ TEST_CASE("a time-lapse takes a picture whenever one of its own is due", "[app]"
     FilmRequest request;
     request.video = true;
     request.rate = 10;
-    request.speed = 2; // 0.2 s apart
+    request.speed = 2; // pictures every 0.2 s
     Film film(request, folder);
     CHECK(film.due(0, 0.005) == 1);
     film.add(picture, 1);

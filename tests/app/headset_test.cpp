@@ -92,7 +92,7 @@ TEST_CASE("the hand holds the lesson's torch at its tip, and table, machine and 
     float nearest = 1;
     for (const Solid& solid : scene.fittings())
         nearest = std::min(nearest, glm::distance(glm::vec3(solid.toWorld[3]), hands.grip.position));
-    CHECK(nearest < 0.05f); // the glove
+    CHECK(nearest < 0.05f); // the glove is near
     const size_t standing = scene.furniture().size();
     CHECK(standing > 20);
     const std::array<Solid, 2> holders{};

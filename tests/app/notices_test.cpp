@@ -87,8 +87,7 @@ TEST_CASE("the headset's notice has the window's warnings, the newest last, and 
     messages.hold("three", "arc");
     messages.hold("four", "record");
     figures.slow = "metal runs at 45 % of real time";
-    messages.hold("The metal runs at 45 % of real time.",
-                  kSlowTopic); // meant for the window; the headset has its own line
+    messages.hold("The metal runs at 45 % of real time.", kSlowTopic); // for the window; the headset has its own line
     notice.compose(messages, figures, 4.0f);
     CHECK(notice.warnings() == "two\nthree\nfour\nmetal runs at 45 % of real time\n");
     CHECK_THAT(std::string(notice.quiet()), test::containsText("Zoom 4"));

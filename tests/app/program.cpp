@@ -14,7 +14,7 @@ namespace meltpool::test {
 namespace {
 
 /// The tracer of the leak sanitizer occasionally crashes when a program with threads ends (google/sanitizers, issue
-/// 1353). It says so, reports no leak, and replaces the program's exit code by its own.
+/// 1353). It prints a message about the crash, reports no leak, and replaces the program's exit code by its own.
 bool leakCheckCrashed(const Outcome& outcome) {
     return outcome.errors.find("LeakSanitizer has encountered a fatal error") != std::string::npos;
 }

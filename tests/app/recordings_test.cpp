@@ -188,7 +188,7 @@ TEST_CASE("a folder that is removed under an attempt is told at its end at the l
     welder.session.reset(welder.controls);
     welder.session.log().recordings().finish();
     welder.weld(5);
-    CHECK(welder.session.run().steps() > 0); // the lesson goes on
+    CHECK(welder.session.run().steps() > 0); // the lesson continues
     CHECK(welder.warned("the recording is no longer there"));
     CHECK_THAT(welder.session.log().recordings().lost(), containsText("is no longer there"));
 }

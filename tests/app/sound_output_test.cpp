@@ -92,7 +92,7 @@ TEST_CASE("a stream lasts over a late frame, falls silent where the lesson stand
             sum += std::pow(sample / 32768.0, 2);
         return std::sqrt(sum / static_cast<double>(block.size()));
     };
-    CHECK(level() == 0); // no lesson yet
+    CHECK(level() == 0); // no lesson is open
     for (int i = 0; i < 9; ++i)
         feed.push(openArc(Gmaw::kTraits, 0.8F));
     for (int i = 0; i < 9; ++i)

@@ -14,7 +14,7 @@ TEST_CASE("a moment is the same whatever zone and season its date is of", "[base
     CHECK(parseMoment("2026-11-23T08:10:43+0100") == moment);
     CHECK(parseMoment("2026-11-22T21:40:43-0930") == moment);
     CHECK(parseMoment("2026-11-23T07:10:43.125Z") == *moment + std::chrono::milliseconds(125));
-    // Half past two comes twice in the night when summer time ends.
+    // Half past two occurs twice in the night when summer time ends.
     CHECK(*parseMoment("2026-10-25T02:30:00+0200") < *parseMoment("2026-10-25T02:10:00+0100"));
     CHECK(utcText(*moment + std::chrono::milliseconds(7)) == "2026-11-23T07:10:43.007Z");
     CHECK(parseMoment(utcText(*moment)) == moment);

@@ -1,4 +1,4 @@
-// Parameters: text in, text out, and every way to get it wrong.
+// Parameters as text: input, output, and every error.
 #include "core/base/error.hpp"
 #include "core/base/parameter.hpp"
 #include "tests/support/catch.hpp"

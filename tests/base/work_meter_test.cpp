@@ -15,7 +15,7 @@ namespace {
 // Windows counts a thread's processor time by ticks of up to 16 ms.
 #ifdef _WIN32
 constexpr double kUnit = 0.1;   // s
-constexpr int kCalls = 20;      // each takes a tick
+constexpr int kCalls = 20;      // each call takes a tick
 constexpr double kTick = 0.016; // s; a tick may end between the two readings, this test's and the meter's
 #else
 constexpr double kUnit = 0.01;

@@ -1,4 +1,4 @@
-// Random damage to texts that knows their structure: lines, keys, numbers, strings and brackets.
+// Random damage to texts by their structure: lines, keys, numbers, strings and brackets.
 #pragma once
 
 #include <cstdint>

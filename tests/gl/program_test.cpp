@@ -1,4 +1,5 @@
-// core/gl: buffers keep their contents, dispatches cover every index, shader errors name file and line.
+// The wrappers of core/gl: buffers preserve their contents, dispatches cover every index, shader errors name file and
+// line.
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "core/gl/buffer.hpp"

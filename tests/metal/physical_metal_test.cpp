@@ -119,7 +119,7 @@ TEST_CASE("wire that is fed outside the space or beyond the most particles is re
     CHECK(metal.state().particles() == before + 1);
     CHECK(metal.refusedFiller() == 2);
     CHECK(metal.statistics().lost == 2);
-    for (int i = 0; i < 70; ++i) // three a step
+    for (int i = 0; i < 70; ++i) // three drops a step
         metal.step({}, std::vector<MetalSeed>(3, drops[0]), nullptr);
     CHECK(metal.state().particles() == before + 200);
     CHECK(metal.refusedFiller() == 2 + 11);

@@ -91,8 +91,7 @@ class Beads {
                 stillSpeed = std::max(stillSpeed, glm::length(velocity));
         }
         CHECK(stillSpeed == 0);
-        CHECK(glm::length(sum) <=
-              3e-3 * liquid); // m/s times number of particles: momentum divided by a particle's mass
+        CHECK(glm::length(sum) <= 3e-3 * liquid); // m/s times particles: momentum over a particle's mass
     }
 
     const PhysicalMetal& metal() const { return metal_; }

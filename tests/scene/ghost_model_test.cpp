@@ -166,7 +166,7 @@ TEST_CASE("the ghost's torch keeps its tip at any size") {
     };
     const auto [tip, handle] = lengthOf(stage.ghost());
     const auto [sameTip, nearHandle] = lengthOf(stage.ghost(1, 0.25F));
-    CHECK(tip == Approx(0.05F)); // 2 mm
+    CHECK(tip == Approx(0.05F)); // 2 mm in the world
     CHECK(sameTip == Approx(tip).margin(1e-5));
     CHECK(nearHandle - sameTip == Approx((handle - tip) / 4).margin(1e-4));
 }

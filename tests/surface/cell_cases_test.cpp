@@ -119,8 +119,7 @@ TEST_CASE("no inner side lies in a face, where the neighbour could have the same
 
 TEST_CASE("two cells agree on the segments in their common face, in opposite directions") {
     for (unsigned axis = 0; axis < 3; ++axis) {
-        std::map<unsigned, std::set<Segment>>
-            seen; // sides by the face's pattern, as the cell before the face sees them
+        std::map<unsigned, std::set<Segment>> seen; // sides by the face's pattern, as in the cell before the face
         for (unsigned inside = 0; inside < 256; ++inside) {
             const auto [known, isNew] = seen.try_emplace(faceOf(inside, axis, true), sidesInFace(inside, axis, true));
             REQUIRE(known->second == sidesInFace(inside, axis, true));

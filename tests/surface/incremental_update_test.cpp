@@ -238,7 +238,7 @@ TEST_CASE("the mesh has the highest temperature that the metal had") {
     }
     CHECK(tinted > 0);
 
-    plate.update(fresh); // particles without their highest temperatures
+    plate.update(fresh); // these particles have no peak temperatures
     CHECK(fresh.mesh().peaks == nullptr);
 }
 

@@ -1,4 +1,4 @@
-// The surface computed on the CPU in the simplest way, and measures of triangle meshes.
+// A CPU twin of the surface in its simplest form, and measures of triangle meshes.
 #pragma once
 
 #include "core/surface/surface.hpp"

@@ -190,7 +190,7 @@ TEST_CASE("A case's material needs what its kind looks at, in any of its forms",
     CHECK(drop("density_liquid = 6900\nsurface_tension = 1.8").solidDensity.at(300) == 6900);
     CHECK(drop("use = \"S235\"").tensionAt(1813) == Approx(1.8).epsilon(0.05));
     CHECK(drop("use = \"S235\"\nsulphur_percent = 0.03").sulphur == 0.03);
-    CHECK(drop("use = \"S235\"\nsurface_tension = 1.8").tensionAt(1813) == 1.8); // the complete given value
+    CHECK(drop("use = \"S235\"\nsurface_tension = 1.8").tensionAt(1813) == 1.8); // the given value, unreduced
     CHECK_THROWS_AS(drop("use = \"S235\"\nsulphur_percent = 0.3"), InputError);
     CHECK_THROWS_AS(drop("use = \"S235\"\nsurface_tension = 0.1\nsulphur_percent = 0.1"), InputError);
     CHECK(drop("use = \"aluminium_6061\"").key == "aluminium-6061");

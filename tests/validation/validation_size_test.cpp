@@ -66,6 +66,5 @@ TEST_CASE("A bead's deposit is its wire's metal on a short plate too", "[validat
                                         [](const ValidationNumber& n) { return n.name == "deposited_mm2"; });
     REQUIRE(deposited != result.numbers.end());
     CHECK(deposited->origin == "exact");
-    CHECK(deposited->reference ==
-          Approx(9.163).epsilon(0.03)); // the feed's value; the wire burns back by a few millimetres
+    CHECK(deposited->reference == Approx(9.163).epsilon(0.03)); // feed alone; the wire burns back by a few millimetres
 }

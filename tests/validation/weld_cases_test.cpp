@@ -72,8 +72,7 @@ TEST_CASE("A fillet has legs on both plates, and more wire makes them longer", "
         CHECK(ours(*one, "root_fusion_mm") >= 0);
     }
     CHECK(ours(slow, "leg_mm") > ours(fast, "leg_mm") + 0.5);
-    CHECK(ours(slow, "leg_mm") ==
-          Approx(std::sqrt(2 * ours(slow, "deposited_mm2"))).epsilon(0.35)); // leg of a mitre fillet
+    CHECK(ours(slow, "leg_mm") == Approx(std::sqrt(2 * ours(slow, "deposited_mm2"))).epsilon(0.35)); // mitre fillet
 }
 
 TEST_CASE("A fillet that is given a current draws it, by the wire that melts above the filled corner", "[validation]") {

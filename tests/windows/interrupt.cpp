@@ -20,7 +20,7 @@ int main(int count, char** words) {
     STARTUPINFOA start{};
     start.cb = sizeof start;
     start.dwFlags = STARTF_USESTDHANDLES;
-    start.hStdInput = input; // not the new console's
+    start.hStdInput = input; // other handles than the new console's
     start.hStdOutput = output;
     start.hStdError = error;
     PROCESS_INFORMATION process{};

@@ -120,7 +120,7 @@ TEST_CASE("One step on the lattice equals its twin on the CPU", "[heat]") {
     const MetalLattice lattice = MetalLattice::covering(glm::vec3(0), high, h);
     auto seeds = unevenBlock(lattice, low, high);
     REQUIRE(seeds.size() == static_cast<size_t>(size.x * size.y * size.z));
-    if (GENERATE(false, true)) { // with holes, so that some squares miss a cell
+    if (GENERATE(false, true)) { // holes leave some squares without a cell
         std::mt19937 random(11);
         std::erase_if(seeds, [&](const MetalSeed&) { return random() % 6 == 0; });
     }
@@ -290,7 +290,7 @@ TEST_CASE("Melting and freezing wait for their fractions", "[heat]") {
     const double whole = (table.liquidusEnthalpy() - table.solidusEnthalpy()) * bench.state.particleMass();
     CHECK((heatBy(0.1 * whole) & PHASE_LIQUID) == 0); // at 0.55: still immobile
     CHECK(bench.state.changes.read<uint>(1)[0] == 0);
-    const uint melted = heatBy(0.1 * whole); // at 0.65: flows
+    const uint melted = heatBy(0.1 * whole); // at 0.65: flowing
     CHECK((melted & PHASE_LIQUID) != 0);
     CHECK(bench.state.changes.read<uint>(2) == std::vector<uint>{1, 0}); // one change, of slot 0
     CHECK(((melted & PHASE_LATTICE) == 0) == leaves);

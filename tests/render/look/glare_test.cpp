@@ -41,7 +41,7 @@ double veilBeside(Renderer& renderer, double angle, double intensity, const Look
 TEST_CASE("an arc's glare follows the CIE law of veiling luminance") {
     Renderer& renderer = test::patchRenderer();
     const LookParameters look = test::roomOnly(0);
-    const double illuminance = 0.04; // at the eye: 0.4 of paper white at one degree
+    const double illuminance = 0.04; // illuminance at the eye: 0.4 of paper white at one degree
     for (const double degrees : {1.0, 2.0, 5.0, 10.0}) {
         INFO(degrees << " degrees beside the arc");
         const double law = illuminance * 10 * (1 + std::pow(25.0 / 70, 4)) / (degrees * degrees);

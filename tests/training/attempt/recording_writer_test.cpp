@@ -108,8 +108,7 @@ TEST_CASE("two threads share a ring", "[training]") {
 TEST_CASE("what is written while an attempt runs is what was brought", "[training]") {
     const fs::path file = newFile();
     RecordingWriter writer(file, test::recordedHead("classic"));
-    CHECK_THROWS_AS(RecordingWriter(file, test::recordedHead("classic")),
-                    InputError); // an existing file is not replaced
+    CHECK_THROWS_AS(RecordingWriter(file, test::recordedHead("classic")), InputError); // no file is replaced
     RecordingPerson person;
     person.head = RecordingPose{{0, 0.4f, 0.5f}, {1, 0, 0, 0}};
     person.zoom = 2;

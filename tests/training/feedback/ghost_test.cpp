@@ -66,8 +66,7 @@ TEST_CASE("by place the ghost stands exactly where its path came by there, at it
         CHECK(glm::distance(moment->torch.tip, exact.tip) < 2e-6F);
         CHECK(glm::dot(moment->torch.axis(), exact.axis()) > 0.999999F);
         CHECK(glm::degrees(moment->workAngle) == Approx(10).margin(0.01));
-        CHECK(glm::degrees(moment->travelAngle) ==
-              Approx(-15).margin(0.3)); // the lean is applied before the projection
+        CHECK(glm::degrees(moment->travelAngle) == Approx(-15).margin(0.3)); // a lean precedes the projection
         if (mm > -28) CHECK(moment->speed * 1e3 == Approx(4).margin(0.01));
     }
     // Beyond the ends there is no ghost.

@@ -166,7 +166,7 @@ TEST_CASE("what the particles do not resolve neither passes nor fails", "[verdic
     CHECK(stateOf(undercut(0.35, 0.5e-3), b, "undercut") == VerdictState::fail);
     CHECK(stateOf(undercut(0, 1e-3), b, "undercut") == VerdictState::notResolved);
     CHECK(stateOf(undercut(0.75, 1e-3), b, "undercut") == VerdictState::notResolved);
-    CHECK(stateOf(undercut(0.85, 1e-3), b, "undercut") == VerdictState::fail); // beyond 0.3 by more than 0.5
+    CHECK(stateOf(undercut(0.85, 1e-3), b, "undercut") == VerdictState::fail); // 0.3 is exceeded by more than 0.5
     CHECK(stateOf(undercut(0, static_cast<double>(1e-3F)), c, "undercut") == VerdictState::pass); // 0.5 by 0.5 mm
     const Verdict told = judge(undercut(0, 1e-3), b, nominal(fillet));
     CHECK(itemOf(told, "undercut").resolution == Approx(0.5));
@@ -255,7 +255,7 @@ TEST_CASE("what the metal does not contain is estimated and does not decide", "[
     CHECK(itemOf(verdict, "spatter").state == VerdictState::estimated);
     CHECK_FALSE(itemOf(verdict, "spatter").limit);
     CHECK_FALSE(itemOf(verdict, "spatter").beyond);
-    CHECK(itemOf(verdict, "undercut").state == VerdictState::pass); // measured
+    CHECK(itemOf(verdict, "undercut").state == VerdictState::pass); // undercut is measured
     CHECK(itemOf(verdict, "undercut").rule.empty());
     CHECK(itemOf(verdict, "crack").state == VerdictState::notResolved); // cracks have no estimate
     CHECK(verdict.accepted);

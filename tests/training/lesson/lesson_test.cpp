@@ -230,8 +230,7 @@ TEST_CASE("a bad lesson is refused in one sentence with file, line and expectati
         {"model = 'weld'\n[workpiece]\nworkpiece = 'pipe'\ndiameter_mm = 20\nthickness_mm = 10\n",
          "bad.toml:5: ", "expected less than half of diameter_mm"},
         {"model = 'weld'\n[workpiece]\ntack_count = 2\n", "bad.toml:3: ", "expected 0"},
-        {"model = 'weld'\n[choose]\nvoltage = { from = 1, to = 2 }\n",
-         "bad.toml:3: ", "unknown key"}, // belongs to GTAW
+        {"model = 'weld'\n[choose]\nvoltage = { from = 1, to = 2 }\n", "bad.toml:3: ", "unknown key"}, // key of GTAW
         {"model = 'weld'\n[choose]\nprocess = { from = 1, to = 2 }\n", "bad.toml:3: ", "unknown key"},
         {"model = 'weld'\n[choose]\ncurrent = 100\n", "bad.toml:3: ", "expected a table"},
         {"model = 'weld'\n[choose]\ncurrent = { from = 100 }\n", "bad.toml:3: ", "to"},

@@ -259,7 +259,7 @@ TEST_CASE("a replay of an attempt that lost its torch or samples is not scored, 
     CHECK_FALSE(first.score->scored);
     CHECK_FALSE(second.score->scored);
     CHECK(second.score->reason == first.score->reason);
-    CHECK(readRecordedAttempt(copy)->events.size() == attempt->events.size()); // of the replay's record too
+    CHECK(readRecordedAttempt(copy)->events.size() == attempt->events.size()); // the replay's record has them too
 }
 
 TEST_CASE("a disk that is full in mid-attempt ends the record, not the weld", "[training]") {

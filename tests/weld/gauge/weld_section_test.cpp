@@ -85,16 +85,14 @@ TEST_CASE("a section is measured from the highest temperatures, on the lattice o
     cut.heatAffected = 1000;
     const Section section = measureSection(state, plate, cut);
     CHECK(section.layers == 8);
-    CHECK(section.fusion.width * 1e3 ==
-          Approx(2 * (500.0 - 100) / 100).margin(0.05));                   // at a depth of half a millimetre
+    CHECK(section.fusion.width * 1e3 == Approx(2 * (500.0 - 100) / 100).margin(0.05)); // depth of half a millimetre
     CHECK(section.fusion.depth * 1e3 == Approx(450.0 / 200).margin(0.05)); // half a millimetre from the seam
     CHECK(section.heatAffected->depth * 1e3 == Approx(950.0 / 200).margin(0.05));
     CHECK(section.deposited * 1e6 == Approx(4));
     // A bead three wide with one particle on top has a rounded crown two rows high.
     REQUIRE(section.bead);
     CHECK(section.bead->height * 1e3 == Approx(1.75).margin(0.15));
-    CHECK(section.bead->toeWidth() * 1e3 ==
-          Approx(2.6).margin(0.5)); // width of the rounded line, between one and three
+    CHECK(section.bead->toeWidth() * 1e3 == Approx(2.6).margin(0.5)); // of the rounded line, between one and three
     CHECK(section.fusion.box.height == Approx(section.bead->height));
     REQUIRE(section.fusion.stretch);
     CHECK(section.fusion.stretch->length() == Approx(section.fusion.width));

@@ -219,7 +219,7 @@ TEST_CASE("stations leave out the craters and stand a pitch apart", "[stations]"
     CHECK(cuts.back().to == Approx(25.5 * kMm));
     for (size_t i = 1; i < cuts.size(); ++i)
         CHECK(cuts[i].at() - cuts[i - 1].at() == Approx(2 * kMm));
-    CHECK(stationCuts(steel(), {0, 8 * kMm}, kMm, {}).size() == 2); // a quarter at each end
+    CHECK(stationCuts(steel(), {0, 8 * kMm}, kMm, {}).size() == 2); // a quarter at each end is left out
     CHECK(stationCuts(steel(), {0, 3 * kMm}, kMm, {}).empty());
     // With coarse particles each station is the mean of five layers, at unchanged places.
     const auto coarse = stationCuts(steel(), {-30 * kMm, 31 * kMm}, kMm, {});

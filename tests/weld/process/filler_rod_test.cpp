@@ -69,8 +69,7 @@ TEST_CASE("a rod that is dipped into the pool melts back to its surface, as fast
         CHECK(melt.temperature == Approx(table().temperatureAt(table().liquidusEnthalpy())));
         volume += melt.volume;
         heat += melt.heat * kStep;
-        if (i == 0)
-            CHECK(melt.heat == Approx(kRodPoolShare * arc.power)); // the pool contains more rod than it can melt
+        if (i == 0) CHECK(melt.heat == Approx(kRodPoolShare * arc.power)); // more of it is in the pool than can melt
     }
     CHECK(rod.inPool());
     CHECK(rod.eaten() == Approx(1.5e-3).margin(1e-5));

@@ -267,8 +267,7 @@ TEST_CASE("an arc presses by its current, a flame does not") {
     after(*arc, 3);
     const ArcPressure pressure = arc->pressure();
     const double sigma = double(pressure.sigma);
-    CHECK(double(pressure.peak) * 2 * 3.14159265 * sigma * sigma ==
-          Approx(4e-3)); // 1e-7 V s/(A m) times the square of 200 A
+    CHECK(double(pressure.peak) * 2 * 3.14159265 * sigma * sigma == Approx(4e-3)); // 1e-7 V s/(A m) times 200 A squared
     settings.choose<Flame>();
     const auto flame = made(settings);
     CHECK(after(*flame, 3) == ArcAction::burning);

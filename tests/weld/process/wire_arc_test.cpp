@@ -29,7 +29,7 @@ WireArc settled(const WireFeed& feed, double ctwd) {
 
 TEST_CASE("0.9 mm wire at 5.8 m/min takes 140, 122 and 111 A at 7, 12 and 17 mm of extension") {
     const WireMelting wire = WireMelting::steel(0.9 * kMm);
-    CHECK(wire.alpha == Approx(kReferenceAlpha * 16 / 9)); // by the cross-section
+    CHECK(wire.alpha == Approx(kReferenceAlpha * 16 / 9)); // alpha scales with the cross-section
     CHECK(wire.beta == Approx(kReferenceBeta * 256 / 81));
     const double feed = 5.8 / 60;
     // The classic alpha and beta give 140, 125 and 115 A.

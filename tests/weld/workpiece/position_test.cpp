@@ -164,7 +164,7 @@ TEST_CASE("a pool on a standing plate runs down, along the seam or across it", "
         const glm::vec3 way = plate.piece.turn * (plate.middle() - before);
         INFO("went " << way.x << " " << way.y << " " << way.z << " mm in the room");
         CHECK(plate.weld->metal().statistics().nonFinite == 0);
-        CHECK(std::abs(way.x) < 0.7F); // never aside
+        CHECK(std::abs(way.x) < 0.7F); // no sideways motion
         if (position == WeldPosition::g1)
             CHECK(std::abs(way.z) < 0.7F);
         else

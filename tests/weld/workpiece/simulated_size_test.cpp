@@ -199,7 +199,7 @@ Section beadOf(const WorkpieceParameters& p, const Workpiece& piece, float highM
 template <class Check>
 void sweep(Check check) {
 #ifdef __SANITIZE_ADDRESS__
-    constexpr int kStep = 11; // each size takes ten times as long and covers no other code
+    constexpr int kStep = 11; // slow sanitiser builds try fewer sizes of equal code
 #else
     constexpr int kStep = 1;
 #endif

@@ -22,7 +22,7 @@ size_t clampedIn(const Workpiece& piece) {
                                              [](const MetalSeed& s) { return (s.phase & PHASE_CLAMPED) != 0; }));
 }
 
-/// mm³
+/// Returns the volume, mm³.
 double volumeOf(const Workpiece& piece) {
     const double edge = static_cast<double>(piece.lattice.spacing) * 1e3;
     return static_cast<double>(piece.seeds.size()) * edge * edge * edge;
@@ -105,7 +105,7 @@ TEST_CASE("a pipe is a tube, parted where it has a gap, and clamped at its ends"
                 const double exact = std::numbers::pi * (5 * 45 * (40 - gap) - 2 * (25 - 4.0 / 3) * run * 4);
                 CHECK(volumeOf(pipe) == Approx(exact).epsilon(0.02));
                 CHECK(clampedIn(pipe) > 0);
-                REQUIRE(pipe.pipe); // radius of the picture's faces
+                REQUIRE(pipe.pipe); // the picture's faces are on its circles
                 CHECK(pipe.pipe->outer == Approx(0.025));
                 CHECK(pipe.pipe->inner == Approx(0.020));
                 CHECK(pipe.pipe->axis.y == Approx(-0.025));

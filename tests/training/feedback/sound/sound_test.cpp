@@ -164,7 +164,7 @@ TEST_CASE("each thing that happens is heard: stub, scratch, flame, alternating c
     Sound cooling;
     std::vector<float> ticks;
     SoundStep hot = noArc(Smaw::kTraits);
-    for (int i = 0; i < 900; ++i) { // 400 K in ten seconds
+    for (int i = 0; i < 900; ++i) { // change of 400 K in ten seconds
         hot.hottest = 1000 - 0.4F / 0.9F * static_cast<float>(i);
         append(ticks, cooling, hot);
     }
@@ -225,7 +225,7 @@ TEST_CASE("what the hand feels rises and falls with what is heard", "[sound]") {
     ShortCircuits shorts;
     std::vector<double> heard, felt;
     const auto play = [&](int steps, const std::function<SoundStep()>& make) {
-        for (int i = 0; i < steps; i += 9) { // tenths of a second
+        for (int i = 0; i < steps; i += 9) { // steps of a tenth of a second
             std::vector<float> samples;
             double amplitude = 0;
             for (int k = 0; k < 9; ++k) {

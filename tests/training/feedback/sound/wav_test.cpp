@@ -1,4 +1,4 @@
-// The bytes of sound files.
+// The bytes of WAV files.
 #include "core/training/feedback/sound/wav.hpp"
 #include "tests/support/catch.hpp"
 
