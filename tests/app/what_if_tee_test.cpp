@@ -1,5 +1,5 @@
-// What-ifs on the shipped tee lesson: effect of each on a GMAW fillet. With MELTPOOL_KEEP=FOLDER pages and pictures are
-// left there for a person to look at.
+// Effects of each what-if on the GMAW fillet of the shipped tee lesson. With MELTPOOL_KEEP=FOLDER the test stores pages
+// and pictures there to look at.
 #include "core/base/text.hpp"
 #include "tests/app/program.hpp"
 #include "tests/support/catch.hpp"
