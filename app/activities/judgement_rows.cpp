@@ -148,7 +148,7 @@ int rankOf(VerdictState state) {
     return 3;
 }
 
-/// Count of states: "1 fail, 4 pass, 2 are not resolved", in the order of rankOf().
+/// Count of states: "1 failed, 4 passed, 2 too fine to see (they do not count)", in the order of rankOf().
 std::string countText(const std::array<int, 4>& counts) {
     std::string text;
     const auto add = [&](std::string_view key, int count) {
@@ -166,11 +166,8 @@ std::string verdictNote(const Verdict& verdict) {
     std::array<int, 4> counts{};
     for (const VerdictItem& item : verdict.items)
         ++counts[static_cast<size_t>(rankOf(item.state))];
-    std::string text = phrase("judgement.standard.note",
-                              {{"edition", verdict.edition}, {"level", verdict.level}, {"counts", countText(counts)}});
-    if (counts[1] > 0) text += " " + phrase("judgement.standard.not_resolved");
-    if (counts[2] > 0) text += " " + phrase("judgement.standard.estimated");
-    return text;
+    return phrase("judgement.standard.note",
+                  {{"edition", verdict.edition}, {"level", verdict.level}, {"counts", countText(counts)}});
 }
 
 /// Text of the failures: "Fails: overlap, undercut."; empty if nothing fails.
@@ -229,6 +226,10 @@ void addFigures(std::vector<JudgementRow>& rows, const WeldMeasures& weld, std::
     for (const Member member : members) {
         const WeldStation::Value& value = weld.mean.*member;
         if (!value) continue;
+        if (member == &WeldStation::toeWidth && *value <= 0) { // a weld without toes
+            rows.push_back({panelName(member), phrase("judgement.measured.absent"), {}, RowState::plain});
+            continue;
+        }
         const WeldFigure& figure = stationFigure(member);
         std::string range;
         const WeldStation::Value &least = weld.least.*member, &greatest = weld.greatest.*member;

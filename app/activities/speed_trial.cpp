@@ -27,7 +27,7 @@ float coarser(float spacing) {
     return spacing;
 }
 
-/// Label "a particle spacing of 1.5 mm", with the sizes of the workpiece that coarser layers change.
+/// Label "slightly coarser metal (1.5 mm)", with the sizes of the workpiece that coarser layers change.
 std::string spacingLabel(WorkpieceParameters workpiece, float spacing) {
     workpiece.spacingMm = spacing;
     std::string changed;
@@ -119,9 +119,11 @@ Question SpeedTrial::question() const {
     Question question;
     question.text =
         phrase("trial.question", {{"speed", percent(offers_.front().ratio)}, {"needed", percent(kLeastSpeedForScore)}});
-    for (size_t i = 1; i < offers_.size(); ++i)
-        question.answers.push_back(
-            phrase("trial.answer", {{"change", offers_[i].label}, {"speed", percent(offers_[i].ratio)}}));
+    for (size_t i = 1; i < offers_.size(); ++i) {
+        const bool full = offers_[i].ratio >= kLeastSpeedForScore;
+        question.answers.push_back(phrase(full ? "trial.answer_full" : "trial.answer",
+                                          {{"change", offers_[i].label}, {"speed", percent(offers_[i].ratio)}}));
+    }
     question.answers.push_back(phrase("trial.practise"));
     question.answers.push_back(phrase("trial.start_menu"));
     return question;

@@ -89,11 +89,11 @@ void HeadsetMenu::lessonButtons(ui::Context& context, const LessonSession& sessi
         if (session.lesson().torch.duration() > 0)
             asks("headset.demonstration", "headset.button.demonstration", MenuRequest::demonstrate,
                  ui::ButtonKind::plain, 0);
-        ImGui::NewLine();
     } else {
-        asks("headset.reset", "headset.button.reset", MenuRequest::reset, ui::ButtonKind::plain, 70);
-        asks("headset.restart", "headset.button.restart", MenuRequest::restart, ui::ButtonKind::plain, 76);
+        asks("headset.reset", "headset.button.reset", MenuRequest::reset, ui::ButtonKind::plain, 96);
+        asks("headset.restart", "headset.button.restart", MenuRequest::restart, ui::ButtonKind::plain, 96);
     }
+    ImGui::NewLine();
     asks("headset.home", "headset.button.home", MenuRequest::home, ui::ButtonKind::plain, 70);
     answer_.recentre = plainButton(context, "headset.recentre", "headset.button.recentre", 130);
 }

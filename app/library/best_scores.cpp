@@ -136,14 +136,9 @@ std::string bestScoreText(const BestScore& best) {
     };
     if (best.accepted) add(phrase("best.accepted"));
     if (best.zoom > 1) add(phrase("best.zoom", {{"zoom", withDecimalMark(formatNumber(best.zoom))}}));
-    if (best.guided) add(phrase("best.guided"));
-    if (!best.cues.empty()) add(phrase("best.cues"));
-    if (!best.ghost.empty()) add(phrase("best.ghost"));
     if (best.changed) add(phrase("best.changed"));
-    if (best.realTime < kLeastSpeedForScore)
-        add(phrase("best.slow", {{"percent", PhraseNumber(std::round(best.realTime * 100))}}));
-    if (!best.chosen.empty()) add(best.chosen);
-    return text;
+    const bool helped = best.guided || !best.cues.empty() || !best.ghost.empty();
+    return helped ? phrase("best.with_help", {{"best", text}}) : text;
 }
 
 BestScores::BestScores(fs::path file) : file_(std::move(file)), content_(load(false)), written_(content_.skills) {}

@@ -46,12 +46,12 @@ ParameterList liveParameters(ParameterList list) {
 
 ParameterList describe(AttemptParameters& a) {
     return {{"for_score",
-             "For score",
+             "Test",
              "",
              &a.forScore,
              0,
              1,
-             "the lesson starts only where this machine keeps up with the clock; measured before each start",
+             "no help is shown; the computer's speed is checked first",
              {},
              true}};
 }

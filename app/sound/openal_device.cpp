@@ -58,7 +58,7 @@ void OpenAlDevice::quietLibrary() {
 std::unique_ptr<OpenAlDevice> OpenAlDevice::openDefault() {
     quietAlsa();
     ALCdevice* device = alcOpenDevice(nullptr);
-    if (device == nullptr) throw RuntimeFault("there is no sound device that can be opened");
+    if (device == nullptr) throw RuntimeFault("no sound device found");
     std::unique_ptr<OpenAlDevice> made(new OpenAlDevice(std::make_unique<Handles>(device)));
     constexpr std::array<ALCint, 5> kWanted{ALC_FREQUENCY, kRate, ALC_HRTF_SOFT, ALC_TRUE, 0};
     made->open(kWanted.data());

@@ -61,14 +61,18 @@ void modeSign(Context& context, const ModeName& mode, float left, float right) {
     ImGui::PopFont();
 }
 
-/// Describes the torch's pose: "CTWD 15.0 mm, work 0°, travel +10°".
+/// Describes the torch's pose: "Tip to work 15 mm, side lean 0°, push 10°".
 ShortText torchText(const LessonFigures& f) {
     constexpr double kDegrees = 180 / std::numbers::pi;
+    const bool tip = f.distance == DistanceKind::ctwd;
+    const double travel = std::round(f.torch->travel * kDegrees);
     ShortText text;
-    appendPhrase(text, f.distance == DistanceKind::ctwd ? "bar.figures.ctwd" : "bar.figures.arc_length",
-                 {{"distance", PhraseNumber(f.torch->distance * 1e3, 1)},
+    appendPhrase(text,
+                 tip ? (travel < 0 ? "bar.figures.ctwd_drag" : "bar.figures.ctwd")
+                     : (travel < 0 ? "bar.figures.arc_length_drag" : "bar.figures.arc_length"),
+                 {{"distance", PhraseNumber(f.torch->distance * 1e3, tip ? 0 : 1)},
                   {"work", PhraseNumber(f.torch->work * kDegrees, 0, true)},
-                  {"travel", PhraseNumber(f.torch->travel * kDegrees, 0, true)}});
+                  {"travel", PhraseNumber(std::abs(travel))}});
     return text;
 }
 
@@ -141,7 +145,7 @@ void giveHints(const Context& context, const Controls& controls, bool torch, Fun
         all({{left, "bar.hint.weld"},
              {mouse, "bar.hint.along_seam"},
              {arrows, "bar.hint.lean"},
-             {capture, "bar.hint.catch_mouse"}});
+             {capture, "bar.hint.lock_to_torch"}});
     else if (working && caught)
         all({{left, "bar.hint.heat"}, {right, "bar.hint.near_and_far"}, {capture, "bar.hint.free_mouse"}});
     else if (working)
@@ -158,8 +162,10 @@ void giveHints(const Context& context, const Controls& controls, bool torch, Fun
              {"F1", "bar.hint.help"}});
 }
 
-constexpr float kWholeBar = 740;    ///< points at which every button of the bar has room
+constexpr float kWholeBar = 788;    ///< points at which every button of the bar has room
+constexpr float kNamedBar = 848;    ///< points at which the program's name has room too
 constexpr float kCommandWidth = 72; ///< points
+constexpr float kAttemptWidth = 96; ///< points, of the buttons for a new attempt and for the lesson's page
 
 /// Draws the buttons that open and close the panels: in a row, or each in a row of its own if it has a width (points).
 /// Returns true if one was pressed.
@@ -190,9 +196,9 @@ bool resetButton(Context& context, float width) {
 }
 
 /// Draws the buttons that leave the running lesson.
-MenuRequest wayButtons(Context& context, float width, bool beside = true) {
+MenuRequest wayButtons(Context& context, float lessonWidth, float width, bool beside = true) {
     MenuRequest request = MenuRequest::none;
-    if (button(context, "bar.restart", phrase("bar.button.restart").c_str(), ButtonKind::plain, width,
+    if (button(context, "bar.restart", phrase("bar.button.restart").c_str(), ButtonKind::plain, lessonWidth,
                phrase("bar.tooltip.restart").c_str()))
         request = MenuRequest::restart;
     if (beside) ImGui::SameLine(0, context.points(6));
@@ -216,7 +222,7 @@ MenuRequest barMenu(Context& context, PanelState& panels, const LessonSession& s
     ImGui::SetNextWindowSizeConstraints({width, 0}, {width, ImGui::GetIO().DisplaySize.y - top - context.points(8)});
     if (!ImGui::BeginPopup("bar menu")) return request;
     const bool pressed = barTabs(context, panels, session, kWidth);
-    request = wayButtons(context, kWidth, false);
+    request = wayButtons(context, kWidth, kWidth, false);
     if (pressed || request != MenuRequest::none) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
     return request;
@@ -240,7 +246,7 @@ MenuRequest topBar(Context& context, PanelState& panels, const Controls& control
     ImGui::SetCursorPosX(context.points(50));
     ImGui::AlignTextToFramePadding();
     const bool narrow = narrowerThan(context, kWholeBar);
-    if (!narrowerThan(context, 800)) { // a narrow bar has room for its buttons only
+    if (!narrowerThan(context, kNamedBar)) { // a narrow bar has room for its buttons only
         strongText(context, "Meltpool");
         ImGui::SameLine(0, context.points(18));
     }
@@ -251,16 +257,17 @@ MenuRequest topBar(Context& context, PanelState& panels, const Controls& control
         barTabs(context, panels, session, 0);
         end = ImGui::GetItemRectMax().x;
     }
-    const int count = narrow ? 2 : 4;
-    const float buttons = ImGui::GetIO().DisplaySize.x - static_cast<float>(count) * context.points(kCommandWidth) -
-                          context.points(14 + 6 * static_cast<float>(count - 1));
+    const float widths = narrow ? kAttemptWidth + kCommandWidth : 2 * (kAttemptWidth + kCommandWidth);
+    const float gaps = narrow ? 1 : 3;
+    const float buttons = ImGui::GetIO().DisplaySize.x - context.points(widths + 14 + 6 * gaps);
     modeSign(context, modeOf(controls, session), end, buttons);
     ImGui::SameLine();
     ImGui::SetCursorPosX(buttons);
-    if (resetButton(context, kCommandWidth)) request = MenuRequest::reset;
+    if (resetButton(context, kAttemptWidth)) request = MenuRequest::reset;
     ImGui::SameLine(0, context.points(6));
     if (!narrow) {
-        if (const MenuRequest asked = wayButtons(context, kCommandWidth); asked != MenuRequest::none) request = asked;
+        if (const MenuRequest asked = wayButtons(context, kAttemptWidth, kCommandWidth); asked != MenuRequest::none)
+            request = asked;
         ImGui::SameLine(0, context.points(6));
     }
     ShortText note;

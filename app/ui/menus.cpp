@@ -201,7 +201,7 @@ void viewMenu(Context& context, std::span<const ParameterSection* const> section
 }
 
 void machinePart(Context& context, const ParameterSection& section) {
-    drawGroup(context, section, "What is set", true,
+    drawGroup(context, section, "Settings in use", true,
               [&](const Parameter& p) { return !p.onlyAtStart && !section.isExpert(p); });
     const auto expert = [&](const Parameter& p) { return !p.onlyAtStart && section.shows(p) && section.isExpert(p); };
     if (std::none_of(section.parameters.begin(), section.parameters.end(), expert)) return;

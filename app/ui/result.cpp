@@ -142,8 +142,8 @@ MenuRequest resultPart(Context& context, LessonSession& session, const Home& hom
     MenuRequest request = MenuRequest::none;
     ButtonRow row(context, 10);
     const bool judged = session.attempt().judged().has_value();
-    if (row.add("result.judge", phrase("result.button.judge").c_str(), judged ? ButtonKind::plain : ButtonKind::main,
-                150))
+    if (row.add("result.judge", phrase(judged ? "result.button.judge_again" : "result.button.judge").c_str(),
+                judged ? ButtonKind::plain : ButtonKind::main, 150))
         request = MenuRequest::judge;
     if (row.add("result.again", phrase("result.button.again").c_str(), judged ? ButtonKind::main : ButtonKind::plain,
                 110))

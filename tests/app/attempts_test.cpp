@@ -76,7 +76,7 @@ TEST_CASE("an attempt is replayed to its bits, seeked, changed, compared and sho
         const test::Outcome same = runMeltpool(again + "--view azimuth=90 --out" + quoted(folder / "same"));
         INFO(same.errors << same.output);
         REQUIRE(same.code == 0);
-        CHECK_THAT(same.output, containsText("same bits as in the record"));
+        CHECK_THAT(same.output, containsText("identical to the record's, to the last bit"));
         const Json result = resultIn(folder / "same");
         CHECK(result["state_hash"] == original["state_hash"]);
         CHECK(result["recorded"]["same"] == true);

@@ -47,8 +47,8 @@ TEST_CASE("a run tells how it reads somebody's torch path, and the result says s
     INFO(outcome.errors);
     CHECK(outcome.code == 0);
     CHECK(outcome.errors.empty());
-    CHECK_THAT(outcome.output, containsText("excel-german.csv is read as Windows-1252, columns parted by semicolons, "
-                                            "decimal comma, times in s."));
+    CHECK_THAT(outcome.output, containsText("excel-german.csv is read as Windows-1252, columns separated by "
+                                            "semicolons, decimal comma, times in s."));
     const Json form = resultIn(folder).at("torch_form");
     CHECK(form.at("encoding") == "Windows-1252");
     CHECK(form.at("separator") == ";");
@@ -87,7 +87,7 @@ TEST_CASE("a run that can weld nothing says so on the terminal and in its result
     const test::Outcome far =
         runMeltpool(kQuickWeld + (folder / "robot.csv").string() + "' --out '" + (folder / "far").string() + "'");
     CHECK(far.code == 0);
-    CHECK_THAT(far.errors, containsText("meltpool: warning: The torch path robot.csv lies wholly outside"));
+    CHECK_THAT(far.errors, containsText("meltpool: warning: The torch path robot.csv is wholly outside"));
     REQUIRE(resultIn(folder / "far").at("warnings").size() == 1);
     CHECK_THAT(resultIn(folder / "far").at("warnings")[0].get<std::string>(), containsText("wholly outside"));
 

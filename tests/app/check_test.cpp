@@ -113,9 +113,9 @@ TEST_CASE("a check tells how it reads a torch path and what is implausible, as a
     const test::Outcome outcome = runMeltpool("check '" + check.string() + "' --junit '" + junit.string() + "'");
     INFO(outcome.errors << outcome.output);
     CHECK(outcome.code == 0); // a warning does not fail a check
-    CHECK_THAT(outcome.output, containsText("robot.csv is read as UTF-8, columns parted by semicolons"));
-    CHECK_THAT(outcome.errors, containsText("meltpool: warning: The torch path robot.csv lies wholly outside"));
-    CHECK_THAT(readTextFile(junit), containsText("<system-err>The torch path robot.csv lies wholly outside"));
+    CHECK_THAT(outcome.output, containsText("robot.csv is read as UTF-8, columns separated by semicolons"));
+    CHECK_THAT(outcome.errors, containsText("meltpool: warning: The torch path robot.csv is wholly outside"));
+    CHECK_THAT(readTextFile(junit), containsText("<system-err>The torch path robot.csv is wholly outside"));
 }
 
 TEST_CASE("an expert and a fault of a lesson come out as expected, of another lesson every day", "[app]") {

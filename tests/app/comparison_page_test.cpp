@@ -54,7 +54,7 @@ TEST_CASE("the page of two attempts tells their difference in both systems and l
     CHECK(isBalanced(html));
     for (const char* text :
          {"yours &amp; his against mine &lt;script&gt;", "tee &lt;b&gt;", "0.5 mm<", "0.020 in<", "more penetration",
-          "slower travel", "12 points more", "+0.5 mm<", "-1.0 mm/s<", "2.4 in/min", "simulation of the recording",
+          "slower travel", "score +12", "+0.5 mm<", "-1.0 mm/s<", "2.4 in/min", "simulation of the recording",
           "accepted", "class=\"first\"", "class=\"second\"", "data:image/png;base64,Zm9vYmFy", "0.25 mm<"}) {
         INFO(text);
         CHECK(html.find(text) != std::string::npos);
@@ -65,7 +65,7 @@ TEST_CASE("the page of two attempts tells their difference in both systems and l
     }
     const Comparison comparison = compareRuns(first, second);
     CHECK(comparison.halfSpacing == Approx(0.25e-3));
-    CHECK(comparisonText(comparison) == "0.5 mm more penetration, 1.0 mm/s slower travel, 12 points more");
+    CHECK(comparisonText(comparison) == "0.5 mm more penetration, 1.0 mm/s slower travel, score +12");
 }
 
 TEST_CASE("a page of attempts that have little is whole", "[app][attempts]") {

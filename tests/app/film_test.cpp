@@ -87,7 +87,7 @@ TEST_CASE("a run without ffmpeg leaves the time-lapse as pictures and says so, a
         runMeltpool(kQuick + kVideo + "--turntable 4 --out '" + (folder / "out").string() + "'", "PATH=/nowhere");
     INFO(outcome.errors);
     REQUIRE(outcome.code == 0);
-    CHECK_THAT(outcome.output, containsText("6 pictures or 0.6 s"));
+    CHECK_THAT(outcome.output, containsText("6 pictures, 0.6 s"));
     CHECK_THAT(outcome.output, containsText("ffmpeg"));
     CHECK_THAT(outcome.output, containsText("is not in PATH"));
     REQUIRE(countOf(folder / "out", "video-") == 6);

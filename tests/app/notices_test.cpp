@@ -39,7 +39,7 @@ TEST_CASE("why there is no arc is told as the process says it, until it burns or
     CHECK(told(out(NoArc::released)).empty());
     CHECK_THAT(told(out(NoArc::touched)), contains("spoiled"));
     CHECK(told(out(NoArc::released)).empty());
-    CHECK_THAT(told(out(NoArc::metalLeft)), contains("any more"));
+    CHECK_THAT(told(out(NoArc::metalLeft)), contains("left the metal"));
     CHECK(told(out(NoArc::released)).empty());
     CHECK(told(out(NoArc::tooFar), 5).empty());
     CHECK_THAT(told(out(NoArc::tooFar)), contains("too far"));
@@ -68,9 +68,9 @@ TEST_CASE("slow metal is told after half a second and until it keeps up", "[app]
     for (int i = 0; i < 4; ++i)
         CHECK(notice.update(0.45, kFrame).empty());
     notice.update(0.45, kFrame);
-    CHECK(notice.update(0.45, kFrame) == "metal runs at 45 % of real time");
-    CHECK(notice.update(0.063, kFrame) == "metal runs at 6 % of real time");
-    CHECK(notice.update(0.96, kFrame) == "metal runs at 95 % of real time");
+    CHECK(notice.update(0.45, kFrame) == "computer too slow: 45 %");
+    CHECK(notice.update(0.063, kFrame) == "computer too slow: 6 %");
+    CHECK(notice.update(0.96, kFrame) == "computer too slow: 95 %");
     CHECK(notice.update(0.98, kFrame).empty());
     CHECK(notice.update(0.96, kFrame).empty());
 }
@@ -86,10 +86,10 @@ TEST_CASE("the headset's notice has the window's warnings, the newest last, and 
     messages.hold("two", "headset");
     messages.hold("three", "arc");
     messages.hold("four", "record");
-    figures.slow = "metal runs at 45 % of real time";
-    messages.hold("The metal runs at 45 % of real time.", kSlowTopic); // for the window; the headset has its own line
+    figures.slow = "computer too slow: 45 %";
+    messages.hold("This computer is too slow (45 %).", kSlowTopic); // for the window; the headset has its own line
     notice.compose(messages, figures, 4.0f);
-    CHECK(notice.warnings() == "two\nthree\nfour\nmetal runs at 45 % of real time\n");
+    CHECK(notice.warnings() == "two\nthree\nfour\ncomputer too slow: 45 %\n");
     CHECK_THAT(std::string(notice.quiet()), test::containsText("Zoom 4"));
     messages.clear("arc");
     messages.clear("headset");

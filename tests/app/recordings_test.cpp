@@ -321,7 +321,7 @@ TEST_CASE("the command lists recordings, makes a table of one and tells what is 
     CHECK_THAT(list.output, containsText("none.meltrec"));
     const Outcome whole = runMeltpool("recordings --check '" + file.string() + "'");
     CHECK(whole.code == 0);
-    CHECK_THAT(whole.output, containsText("are whole; the attempt ended: start menu"));
+    CHECK_THAT(whole.output, containsText("are whole; the attempt ended: back to the lesson page"));
     const Outcome broken = runMeltpool("recordings --check '" + damaged.string() + "'");
     CHECK(broken.code == 1);
     CHECK_THAT(broken.output, containsText("is damaged"));

@@ -126,6 +126,6 @@ TEST_CASE("a section is drawn to scale from what is measured", "[app]") {
     fillet.legLying = 6;
     fillet.legStanding = 6;
     fillet.throat = 6 / std::sqrt(2.0);
-    CHECK_THAT(sectionDrawing(fillet), containsText("throat 4.2 mm") && containsText("leg, standing 6.0 mm"));
+    CHECK_THAT(sectionDrawing(fillet), containsText("throat 4.2 mm") && containsText("leg, upright plate 6.0 mm"));
     CHECK(sectionDrawing(fillet).find("class=\"fused\" d") == std::string::npos); // fusion is unknown
 }

@@ -74,7 +74,7 @@ TEST_CASE("the page tells how the attempt was made, its score, verdict and weld,
     CHECK(firstUnclosed(html) == "");
     for (const char* text : {"A tee &amp; more",
                              "tee &lt;b&gt;",
-                             "an attempt for score",
+                             "<b>Kind:</b> a test",
                              "2026-11-23 08:30",
                              "voltage 22 V",
                              "Gap is 1 mm instead of 0.6 mm.",
@@ -90,7 +90,7 @@ TEST_CASE("the page tells how the attempt was made, its score, verdict and weld,
                              "7.20 mm/s",
                              "17.0 in/min",
                              "38.00 mm",
-                             "What was not welded",
+                             "Seam not welded",
                              "not accepted",
                              "FAILS",
                              "at most <span",
@@ -107,7 +107,7 @@ TEST_CASE("the page tells how the attempt was made, its score, verdict and weld,
                              "data:image/png;base64,Zm9vYmFy",
                              "<polyline",
                              "Arc current (A)",
-                             "drawn to scale from its measured sizes"}) {
+                             "drawn to scale from its measures"}) {
         INFO(text);
         CHECK_THAT(html, containsText(text));
     }
@@ -150,7 +150,7 @@ TEST_CASE("figures stand on the page in the order of an inspector, those of a ne
         "leg2_mm": 5, "root_fused_percent": 98.4, "stations": 15, "throat_mm": 4}, "arc": {"mean_current_a": 250.2}})");
     const std::string html = reportPage(readRunResults(folder));
     size_t last = 0;
-    for (const char* text : {"leg on the lying plate", "leg on the standing plate", "throat", "root fused", "98 %",
+    for (const char* text : {"leg on the base plate", "leg on the upright plate", "throat", "root fused", "98 %",
                              "heat-affected zone", "sections measured", ">15<", "a new one", "mean current", "250 A"}) {
         INFO(text);
         const size_t place = html.find(text, last);

@@ -151,7 +151,7 @@ TEST_CASE("a record that cannot be written is asked about before the first step,
             CHECK(person.session.log().records().lost());
         }
         SECTION("the person does not") {
-            person.answer("Start menu");
+            person.answer("Back to the lesson page");
             CHECK_FALSE(person.session.running());
             CHECK_FALSE(person.session.log().records().lost());
         }
@@ -269,7 +269,7 @@ TEST_CASE("an attempt for score starts where the machine keeps up, and else says
         CHECK_FALSE(fs::exists(file));
         const int particles = person.session.lesson().setup.particles;
         SECTION("fewer particles") {
-            person.answer("With " + std::to_string(particles / 2) + " particles");
+            person.answer("Start with fewer particles (" + std::to_string(particles / 2) + ")");
             CHECK(person.session.lesson().setup.particles == particles / 2);
             CHECK(person.session.question().answers.empty()); // a new measurement
             CHECK(person.session.running());
@@ -349,7 +349,7 @@ TEST_CASE("a machine that stands outside of a lesson's limits is set before the 
     CHECK(valueOf(session, "voltage") == "15");
     session.begin(controls);
     CHECK_FALSE(session.running());
-    CHECK_THAT(session.question().text, test::containsText("voltage 20 to 26 V (it stands at 15)"));
+    CHECK_THAT(session.question().text, test::containsText("voltage 20 to 26 V (now 15)"));
     REQUIRE(session.question().answers.size() == 1);
     session.question().answered = 0;
     session.settle(controls);

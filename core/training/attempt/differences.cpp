@@ -108,15 +108,15 @@ std::string comparisonText(const Comparison& comparison, size_t most) {
     const std::vector<FigurePair> found = comparison.differences();
     for (size_t i = 0; i < std::min(found.size(), most); ++i)
         add(differenceText(found[i]));
-    if (found.size() > most) {
-        const size_t further = found.size() - most;
-        add(phraseOfCount("figure.differences.further", static_cast<long long>(further),
-                          {{"count", std::to_string(further)}}));
-    }
     if (const auto points = comparison.morePoints()) {
         const PhraseNumber shown(std::abs(*points));
         add(phraseOfCount(*points > 0 ? "figure.differences.points_more" : "figure.differences.points_less",
                           std::llround(std::abs(*points)), {{"points", shown}}));
+    }
+    if (found.size() > most) {
+        const size_t further = found.size() - most;
+        add(phraseOfCount("figure.differences.further", static_cast<long long>(further),
+                          {{"count", std::to_string(further)}}));
     }
     return text.empty() ? phrase("figure.differences.none") : text;
 }

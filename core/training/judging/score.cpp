@@ -113,12 +113,15 @@ void sumUp(TechniqueScore& score, const TechniqueBands& bands) {
 std::string_view caseOf(const ParameterScore& parameter, const TechniqueBand& band) {
     if (std::isnan(parameter.mean)) return "unknown";
     const double off = std::abs(parameter.deviation);
-    // Values on both sides of the ideal have a mean near it: then the unevenness costs the points.
-    if (off < 0.5 * parameter.spread || tellNumber(off) == "0") return "uneven";
+    // A mean near the ideal has full points: then the unevenness costs the points.
+    if (off < 0.5 * parameter.spread || off <= band.inner || tellNumber(off) == "0") return "uneven";
     const bool tooMuch = parameter.deviation > 0;
     switch (band.quantity) {
     case TechniqueQuantity::travelSpeed:
         if (parameter.mean < 0) return "against";
+        break;
+    case TechniqueQuantity::rodFrequency:
+        if (parameter.most <= 0) return "none";
         break;
     case TechniqueQuantity::aim:
         if (band.ideal != 0) return tooMuch ? "above_line" : "below_line";

@@ -68,8 +68,7 @@ std::string unknownSentence(const TechniqueScore& score);
 struct Correction {
     std::optional<TechniqueQuantity> quantity; ///< empty: the seam's length
     double lost = 0;                           ///< points of the whole score
-    std::string sentence; ///< such as "Travel slower: the travel speed was 7.6 mm/s on average, 2.1 mm/s above the 5.5
-                          ///< mm/s asked for."
+    std::string sentence;                      ///< such as "Travel slower: 7.6 mm/s, target 5.5."
 };
 
 /// The corrections, costliest first, at most `most` and none below half a point. Empty if the attempt is not scored.

@@ -93,7 +93,7 @@ ParameterList describe(GmawSettings& s) {
         {"wire_diameter_mm", "Wire diameter", "mm", &s.wireDiameterMm, 0.5, 2.4, "thicker wire takes more current"},
         {"inductance", "Inductance", "", &s.inductance, 0, 2, "more makes fewer and softer shorts", kInductances},
         {"stick_out_mm", "Stick-out", "mm", &s.stickOutMm, 3, 40,
-         "of the wire whose end the torch's pose is: contact tip to work distance less the arc"},
+         "of the wire whose end the torch's pose is: tip-to-work distance less the arc"},
     };
 }
 

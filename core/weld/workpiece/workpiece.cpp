@@ -44,7 +44,7 @@ ParameterList describe(WorkpieceParameters& p) {
         {"width_mm", "Width", "mm", &p.widthMm, 4, 400, "across the seam; of a pipe its length"},
         {"thickness_mm", "Thickness", "mm", &p.thicknessMm, 1, 50, "of each plate, and of a pipe's wall"},
         {"height_mm", "Height", "mm", &p.heightMm, 4, 200,
-         "of the standing plate of a tee or a corner, and of a bridge's piers"},
+         "of the upright plate of a tee or a corner, and of a bridge's piers"},
         {"gap_mm", "Gap", "mm", &p.gapMm, 0, 10, "of a butt joint or a pipe"},
         {"root_face_mm", "Root face", "mm", &p.rootFaceMm, 0, 50, "of a bevelled edge, the height without bevel"},
         {"bevel_deg", "Bevel", "deg", &p.bevelDeg, 0, 60, "of each edge of a butt joint or a pipe, from the upright"},

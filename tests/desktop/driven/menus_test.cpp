@@ -90,7 +90,7 @@ TEST_CASE("the picture is as coarse as the view menu says, the window tells, and
     window.click("bar.view");
     window.click("window.group.Window");
     for (const auto& [level, told] :
-         {std::pair("coarse", "picture at 3/8"), {"full", ""}, {"medium", "picture at 1/2"}}) {
+         {std::pair("coarse", "coarsest picture"), {"full", ""}, {"medium", "coarser picture"}}) {
         changes(window, "window.picture", [&] { window.click(std::string("window.picture.") + level); });
         CHECK(window.settle().at("picture") == told);
     }
@@ -209,7 +209,7 @@ TEST_CASE("on a screen of double density everything is twice as large") {
     CHECK(window.state().at("window").at("scale") == 2.0);
     window.takePicture("double-density-start");
     window.start();
-    CHECK(window.place("bar.reset")[2] == Approx(144));
+    CHECK(window.place("bar.reset")[2] == Approx(192));
     window.takePicture("double-density");
 }
 

@@ -28,7 +28,7 @@ std::string endOf(const fs::path& record) {
 }
 
 bool toldSlow(const json& row) {
-    return row.at("messages").dump().find("% of real time") != std::string::npos;
+    return row.at("messages").dump().find("This computer is too slow") != std::string::npos;
 }
 
 /// Waits until a program with few frames keeps pace with the clock. A busy machine has no time for that: its frames

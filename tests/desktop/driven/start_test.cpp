@@ -140,8 +140,8 @@ TEST_CASE("a lesson whose torch path is of another program or cannot weld it say
     writeTextFileAtomically(folder / "robot.toml", "title = 'Robot'\nmodel = 'weld'\ntorch = 'robot.csv'\n");
     TrainerWindow window("robot", {.lesson = (folder / "robot.toml").string()});
     window.waitFor("how the table is read, and the warning", [](const json& row) {
-        return showsMessage(row, "robot.csv is read as UTF-8, columns parted by semicolons") &&
-               showsMessage(row, "The torch path robot.csv lies wholly outside the workpiece");
+        return showsMessage(row, "robot.csv is read as UTF-8, columns separated by semicolons") &&
+               showsMessage(row, "The torch path robot.csv is wholly outside the workpiece");
     });
 }
 

@@ -39,21 +39,20 @@ TEST_CASE("an attempt counts where it is scored; the verdict goes with it") {
     judgement.verdict.emplace();
     judgement.verdict->accepted = true;
     CHECK(countedScore(judgement)->accepted);
-    CHECK(bestScoreText({84.4, true, 4, true, false}) == "Best 84, accepted, zoom 4");
-    CHECK(bestScoreText({0, false, 1, false, true}) == "Best 0, changed values");
-    CHECK(bestScoreText({70, true, 1, false, false, true}) == "Best 70, accepted, guided");
-    CHECK(bestScoreText({70, false, 1, false, false, false, 0.064}) == "Best 70, metal at 6 %");
-    CHECK(bestScoreText({70, false, 1, false, false, false, 0.96}) == "Best 70"); // metal as fast as the clock
+    CHECK(bestScoreText({84.4, true, 4, true, false}) == "Best so far: 84, accepted, zoom 4");
+    CHECK(bestScoreText({0, false, 1, false, true}) == "Best so far: 0, changed values");
+    CHECK(bestScoreText({70, true, 1, false, false, true}) == "Best so far: 70, accepted (with help)");
+    CHECK(bestScoreText({70, false, 1, false, false, false, 0.064}) == "Best so far: 70");
     judgement.realTime = 0.25;
     CHECK(countedScore(judgement)->realTime == 0.25);
     BestScore helped{70};
     helped.cues.set(CueKind::aim);
-    CHECK(bestScoreText(helped) == "Best 70, with cues");
+    CHECK(bestScoreText(helped) == "Best so far: 70 (with help)");
     helped.ghost = "expert";
-    CHECK(bestScoreText(helped) == "Best 70, with cues, with a ghost");
+    CHECK(bestScoreText(helped) == "Best so far: 70 (with help)");
     BestScore set{70};
     set.chosen = "voltage 22 V";
-    CHECK(bestScoreText(set) == "Best 70, voltage 22 V");
+    CHECK(bestScoreText(set) == "Best so far: 70");
 }
 
 TEST_CASE("the better score of a lesson stays, with its help, from one start to the next") {

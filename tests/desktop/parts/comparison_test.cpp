@@ -41,7 +41,7 @@ TEST_CASE("two attempts stand beside each other with score, verdict, weld, hand 
     const Comparison comparison = compareAttempts(attempt(2, 5, 70), attempt(2.5, 4, 82));
     const ComparisonRows rows =
         comparisonRows(judged(false, {"lack_of_fusion", "undercut"}), judged(true, {}), comparison);
-    CHECK(rows.words == "The second: 0.5 mm more penetration, 1.0 mm/s slower travel, 12 points more.");
+    CHECK(rows.words == "The second: 0.5 mm more penetration, 1.0 mm/s slower travel, score +12.");
     REQUIRE(rows.notes.size() == 1);
     CHECK_THAT(rows.notes[0], test::containsText("0.25 mm, half a particle spacing"));
     REQUIRE(rows.sections.size() == 5);

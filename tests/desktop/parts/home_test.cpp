@@ -155,7 +155,7 @@ TEST_CASE("level and best score stand below a lesson's title") {
     home.scores.offer("a", {71.6, true});
     home.scores.offer("b", {12});
     CHECK(home.standing(*home.find("a")) == "Level 2 of 5 \xC2\xB7 Best 72, accepted");
-    CHECK(home.standing(*home.find("b")) == "Best 12");
+    CHECK(home.standing(*home.find("b")) == "Best so far: 12");
 }
 
 TEST_CASE("a lesson's picture is a texture; a missing or broken one is none") {

@@ -53,9 +53,10 @@ TEST_CASE("one that is too slow is measured with fewer particles, a coarser surf
     INFO(question.text);
     CHECK(question.text.find("43 % of real time") != std::string::npos);
     REQUIRE(question.answers.size() == 5);
-    CHECK(question.answers[0] == "With a surface of 48 cells: 50 %");
-    CHECK(question.answers[1] == "With a particle spacing of 0.75 mm: 90 %");
-    CHECK(question.answers[2] == "With a surface of 48 cells and a particle spacing of 0.75 mm: 102 %");
+    CHECK(question.answers[0] == "Start with a coarser surface (48 cells): runs at 50 %");
+    CHECK(question.answers[1] == "Start with slightly coarser metal (0.75 mm): runs at 90 %");
+    CHECK(question.answers[2] ==
+          "Start with a coarser surface (48 cells) and slightly coarser metal (0.75 mm): runs at full speed");
 }
 
 TEST_CASE("an offer of coarser particles says which sizes whole layers change") {
@@ -65,9 +66,9 @@ TEST_CASE("an offer of coarser particles says which sizes whole layers change") 
     lesson.workpiece.thicknessMm = 4;
     const auto offers = cheaperValues(lesson);
     REQUIRE(offers.size() == 1);
-    CHECK(offers[0].label == "a particle spacing of 1.5 mm (thickness 4.5 mm)");
+    CHECK(offers[0].label == "slightly coarser metal (1.5 mm; thickness 4.5 mm)");
     lesson.workpiece.thicknessMm = 6;
-    CHECK(cheaperValues(lesson)[0].label == "a particle spacing of 1.5 mm");
+    CHECK(cheaperValues(lesson)[0].label == "slightly coarser metal (1.5 mm)");
 }
 
 TEST_CASE("an offer that the workpiece has no room for is left out") {

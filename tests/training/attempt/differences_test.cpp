@@ -47,13 +47,13 @@ TEST_CASE("every figure that is compared has its words once", "[training][compar
 
 TEST_CASE("differences are told with number, unit and the field's word, the heaviest first", "[training][comparison]") {
     const Comparison made = compareAttempts(figures(2, 8, 70), figures(2.4, 6.9, 82));
-    CHECK(comparisonText(made) == "1.1 mm narrower, 0.4 mm more penetration, 12 points more");
+    CHECK(comparisonText(made) == "1.1 mm narrower, 0.4 mm more penetration, score +12");
     CHECK(made.halfSpacing == Approx(0.25e-3));
     REQUIRE(made.scores.size() == 2);
     CHECK(made.scores[0].name == "score");
     CHECK(made.scores[1].name == "travel speed");
     CHECK(*made.scores[1].second == 82);
-    CHECK(comparisonText(made, 1) == "1.1 mm narrower, and 1 more, 12 points more");
+    CHECK(comparisonText(made, 1) == "1.1 mm narrower, score +12, 1 smaller difference");
 }
 
 TEST_CASE("less than half a spacing is no difference, and neither is the same attempt", "[training][comparison]") {

@@ -64,7 +64,7 @@ bool has(const std::vector<Estimate>& estimates, std::string_view name) {
 TEST_CASE("a good hand gives no reason to expect pores, spatter or slag, and the rules are told", "[verdict]") {
     const auto gmaw = estimateImperfections(goodGmaw(), settingsOf<Gmaw>(), 5 * kMm);
     CHECK(of(gmaw, "surface_pore").value == 0);
-    CHECK_THAT(of(gmaw, "surface_pore").rule, test::containsText("would be expected where the contact tip is over 18"));
+    CHECK_THAT(of(gmaw, "surface_pore").rule, test::containsText("Likely where the contact tip is over 18"));
     CHECK_THAT(of(gmaw, "surface_pore").rule, test::containsText("scoring table"));
     CHECK(of(gmaw, "spatter").value == 0);
     CHECK_FALSE(has(gmaw, "slag_inclusion")); // a solid wire under gas makes no slag
@@ -76,7 +76,7 @@ TEST_CASE("a good hand gives no reason to expect pores, spatter or slag, and the
     for (const Estimate& each : smaw) {
         INFO(each.name);
         CHECK(each.value == 0);
-        CHECK_THAT(each.rule, test::containsText("would be expected"));
+        CHECK_THAT(each.rule, test::containsText("Likely where"));
     }
 }
 
@@ -86,16 +86,17 @@ TEST_CASE("pores follow from a torch too far off or too flat, over the length wh
         seam[i].values[TechniqueQuantity::distance] = 19 * kMm;
     auto estimates = estimateImperfections(seam, settingsOf<Gmaw>());
     CHECK(of(estimates, "surface_pore").value == 12);
-    CHECK_THAT(of(estimates, "surface_pore").rule, test::containsText("To be expected where the contact tip"));
+    CHECK_THAT(of(estimates, "surface_pore").rule,
+               test::containsText("The contact tip was over 18 mm from the work on"));
     CHECK_THAT(of(estimates, "surface_pore").rule, test::containsText("12 mm"));
-    CHECK(of(estimates, "surface_pore").rule.find("pushes") == std::string::npos); // this rule is met
+    CHECK(of(estimates, "surface_pore").rule.find("pushed") == std::string::npos); // this rule is met
     CHECK(of(estimates, "spatter").value == 0);
     // A millimetre with both faults counts once.
     for (size_t i = 20; i < 26; ++i)
         seam[i].values[TechniqueQuantity::travelAngle] = -21 * kDegree;
     estimates = estimateImperfections(seam, settingsOf<Gmaw>());
     CHECK(of(estimates, "surface_pore").value == 16);
-    CHECK_THAT(of(estimates, "surface_pore").rule, test::containsText(", or the torch pushes"));
+    CHECK_THAT(of(estimates, "surface_pore").rule, test::containsText("The torch pushed by over"));
     CHECK(of(estimateImperfections(weld(15, 26, 22, 180), settingsOf<Gmaw>()), "surface_pore").value == 40);
     CHECK(of(estimateImperfections(weld(7, 10, 14, 130), settingsOf<Gtaw>()), "surface_pore").value == 40);
     CHECK(of(estimateImperfections(weld(7, -15, 30, 115), settingsOf<Smaw>()), "surface_pore").value == 40);
@@ -120,7 +121,7 @@ TEST_CASE("slag follows from a stick that pushes or travels too slowly", "[verdi
     const ProcessSettings stick = settingsOf<Smaw>();
     const auto pushed = estimateImperfections(weld(3, 5, 24, 115), stick, 3.5 * kMm);
     CHECK(of(pushed, "slag_inclusion").value == 40);
-    CHECK_THAT(of(pushed, "slag_inclusion").rule, test::containsText("pushes"));
+    CHECK_THAT(of(pushed, "slag_inclusion").rule, test::containsText("pushed"));
     const auto slow = estimateImperfections(weld(3, -15, 24, 115, 1.5), stick, 3.5 * kMm);
     CHECK(of(slow, "slag_inclusion").value == 40);
     CHECK_THAT(of(slow, "slag_inclusion").rule, test::containsText("below 1.75 mm/s"));

@@ -170,7 +170,7 @@ TEST_CASE("a lesson lets the trainee choose settings within its limits", "[train
     lesson.takeStartSettings();
     CHECK(lesson.process.of<Gmaw>().voltage == 15);
     CHECK(lesson.process.of<Gmaw>().wireFeedMPerMin == 4);
-    CHECK(lesson.unsetSettings() == "Set the machine before you weld: voltage 17.4 to 21 V (it stands at 15).");
+    CHECK(lesson.unsetSettings() == "Set the machine before you weld: voltage 17.4 to 21 V (now 15).");
     CHECK(lessonFrom(process).chosenText().empty());
     CHECK(findLesson("gmaw-bead", shippedLessons()).choose.size() == 2);
 }
