@@ -37,7 +37,7 @@ struct ActivityFrame {
     gl::ShaderLibrary& shaders; ///< for metal that the activity makes itself
     Trainer* trainer;           ///< the lesson's metal; null outside a lesson, see Activity::inLesson()
     StepClock& clock;
-    Ear& ear;
+    SoundSteps& soundSteps;
     Stopwatch now;
     gl::Profiler* profiler;
     double seconds;       ///< s of real time since the last frame

@@ -19,7 +19,7 @@ std::string Attempt::begin(Trainer& trainer, bool forScore) {
 void Attempt::end() {
     tellJudgement();
     judge_.forget();
-    log_.moments().begin();
+    log_.redo().begin();
 }
 
 void Attempt::reset(Trainer& trainer) {
@@ -52,7 +52,7 @@ void Attempt::step(ActivityFrame& frame, int step, int steps) {
 
 void Attempt::finish(ActivityFrame& frame) {
     Trainer& trainer = *frame.trainer;
-    log_.keepMoment(trainer, frame.clock.speedOfSteps(trainer.timeStep()));
+    log_.keepCheckpoint(trainer, frame.clock.speedOfSteps(trainer.timeStep()));
     cues_.update(trainer, frame.forScore, frame.seconds);
     const auto& bands = trainer.lesson().technique;
     ghost_.update(trainer, frame.forScore, cues_.strength(bands ? &*bands : nullptr), frame.seconds);
@@ -63,12 +63,12 @@ void Attempt::finish(ActivityFrame& frame) {
 
 void Attempt::judge(const Trainer& trainer) {
     judge_.judge(trainer);
-    if (const auto& judged = judge_.judged(); judged && judged->judgement.score && log_.moments().redone() == 0)
+    if (const auto& judged = judge_.judged(); judged && judged->judgement.score && log_.redo().redone() == 0)
         cues_.practised(*judged->judgement.score);
 }
 
 bool Attempt::beginFromCheckpoint(Trainer& trainer) {
-    if (!log_.moments().back(trainer)) return false;
+    if (!log_.redo().back(trainer)) return false;
     judge_.forget();
     return true;
 }

@@ -34,7 +34,7 @@ void AttemptRecords::begin(Trainer& trainer) {
 
 std::string AttemptLog::begin(Trainer& trainer, bool goesBack) {
     recordings_.begin(trainer, records_.attempt() + 1);
-    moments_.begin(recordings_.writer(), goesBack);
+    redo_.begin(recordings_.writer(), goesBack);
     try {
         records_.begin(trainer);
     } catch (const std::runtime_error& fault) { // no such place, or no room even for its head
@@ -43,8 +43,8 @@ std::string AttemptLog::begin(Trainer& trainer, bool goesBack) {
     return {};
 }
 
-void AttemptLog::keepMoment(const Trainer& trainer, double speed) {
-    if (moments_.goes() || recordings_.current() != nullptr) moments_.update(trainer, speed);
+void AttemptLog::keepCheckpoint(const Trainer& trainer, double speed) {
+    if (redo_.goes() || recordings_.current() != nullptr) redo_.update(trainer, speed);
 }
 
 void AttemptLog::judged(const Judgement* judgement) {

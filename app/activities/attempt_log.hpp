@@ -53,15 +53,15 @@ class AttemptLog {
     RecordingKeeper& recordings() { return recordings_; }
     const RecordingKeeper& recordings() const { return recordings_; }
     /// Checkpoints of the running attempt.
-    Redo& moments() { return moments_; }
-    const Redo& moments() const { return moments_; }
+    Redo& redo() { return redo_; }
+    const Redo& redo() const { return redo_; }
 
     /// Begins an attempt. `goesBack`: it may return to checkpoints. Returns the reason why its record cannot be
     /// written; empty: it is written, or none is wanted.
     std::string begin(Trainer& trainer, bool goesBack);
     /// Takes a checkpoint when one is due; call it after the steps of a frame. `speed`: of making steps alone, over the
     /// clock. Never waits.
-    void keepMoment(const Trainer& trainer, double speed);
+    void keepCheckpoint(const Trainer& trainer, double speed);
     /// Passes the judgement of an attempt that is about to end to its recording; null: the weld is not judged, or went
     /// on after its judgement.
     void judged(const Judgement* judgement);
@@ -73,7 +73,7 @@ class AttemptLog {
   private:
     AttemptRecords records_;
     RecordingKeeper recordings_;
-    Redo moments_;
+    Redo redo_;
 };
 
 } // namespace meltpool

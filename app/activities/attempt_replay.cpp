@@ -18,9 +18,9 @@ void AttemptReplay::begin(const Trainer& trainer, ReplayMachine machine, double 
     if (attempt_) marks_ = timelineMarks(*attempt_, duration);
     speed_.begin(duration);
     distance_.begin(duration);
-    moments_ = std::make_unique<KeptMoments>(KeptMomentsLimits{kSpacing, kRoom});
+    moments_ = std::make_unique<CheckpointRing>(CheckpointRingLimits{kSpacing, kRoom});
     try {
-        recorded_ = momentsOfAttempt(lesson, machine_);
+        recorded_ = fileCheckpoints(lesson, machine_);
     } catch (const InputError& fault) { // the file has changed since the attempt was read
         recorded_.refused = fault.what();
     }
@@ -38,7 +38,7 @@ void AttemptReplay::end() {
 }
 
 std::optional<int> AttemptReplay::due(ActivityFrame& frame) {
-    frame.trainer->listen(line_.seeking() ? nullptr : &frame.ear);
+    frame.trainer->listen(line_.seeking() ? nullptr : &frame.soundSteps);
     if (frame.stopped || (!line_.seeking() && !line_.playing())) {
         frame.clock.restart();
         collect();
@@ -70,7 +70,7 @@ void AttemptReplay::step(Trainer& trainer, gl::Profiler* profiler) {
     if (isOver(trainer)) return line_.reach(trainer.time(), trainer.timeStep(), true);
     trainer.advanceDemonstration(profiler);
     noteCurves(trainer);
-    keepMoment(trainer);
+    keepCheckpoint(trainer);
     const bool over = isOver(trainer);
     line_.reach(trainer.time(), trainer.timeStep(), over);
     if (over) compare(trainer);
@@ -137,7 +137,7 @@ void AttemptReplay::noteCurves(const Trainer& trainer) {
 
 /// Takes a checkpoint if due. Checkpoints stay when the attempt goes back, because it reaches the identical bits again.
 /// While seeking, those of the recording serve if it has one just before.
-void AttemptReplay::keepMoment(const Trainer& trainer) {
+void AttemptReplay::keepCheckpoint(const Trainer& trainer) {
     if (!moments_->due(trainer.time())) return;
     const auto recorded = recorded_.moments ? recorded_.moments->timeBefore(trainer.time()) : std::nullopt;
     if (line_.seeking() && recorded && trainer.time() - *recorded < 2 * kSpacing) return;

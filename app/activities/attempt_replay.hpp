@@ -3,13 +3,13 @@
 
 #include "app/activities/activity.hpp"
 #include "app/activities/curve_track.hpp"
-#include "app/activities/moments_of_attempt.hpp"
+#include "app/activities/file_checkpoints.hpp"
 #include "app/activities/replay_end.hpp"
 #include "app/activities/seek_pace.hpp"
 #include "app/activities/timeline.hpp"
 #include "app/activities/timeline_marks.hpp"
 #include "core/gl/profiler.hpp"
-#include "core/training/attempt/kept_moments.hpp"
+#include "core/training/attempt/checkpoint_ring.hpp"
 #include "core/training/trainer/trainer.hpp"
 
 #include <memory>
@@ -72,7 +72,7 @@ class AttemptReplay final : public Activity {
   private:
     bool isOver(const Trainer& trainer) const;
     void noteCurves(const Trainer& trainer);
-    void keepMoment(const Trainer& trainer);
+    void keepCheckpoint(const Trainer& trainer);
     void goBack(Trainer& trainer);
     void toStart(Trainer& trainer);
     void restoreRecorded(Trainer& trainer, double target);
@@ -87,8 +87,8 @@ class AttemptReplay final : public Activity {
     CurveTrack speed_, distance_;
     std::optional<ReplayEnd> comparison_;
     SeekPace pace_{kSeekSlice};
-    std::unique_ptr<KeptMoments> moments_; ///< checkpoints taken between begin() and end()
-    MomentsOfAttempt recorded_;            ///< checkpoints from the file, at any spacing
+    std::unique_ptr<CheckpointRing> moments_; ///< checkpoints taken between begin() and end()
+    FileCheckpoints recorded_;                ///< checkpoints from the file, at any spacing
 };
 
 } // namespace meltpool

@@ -1,6 +1,6 @@
 #include "app/activities/redo.hpp"
 
-#include "core/training/attempt/checkpoint_pace.hpp"
+#include "core/training/attempt/checkpoint_schedule.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,9 +18,9 @@ double away(const Seam& seam, double a, double b) {
     return std::abs(seam.closed() ? way - std::round(way / seam.length()) * seam.length() : way);
 }
 
-MomentTaker takerFor(std::shared_ptr<RecordingWriter> recording) {
+CheckpointTaker takerFor(std::shared_ptr<RecordingWriter> recording) {
     if (!recording) return {};
-    return [recording = std::move(recording), pace = CheckpointPace()](const PackedMoment& moment) mutable {
+    return [recording = std::move(recording), pace = CheckpointSchedule()](const PackedCheckpoint& moment) mutable {
         if (pace.take(moment.time, moment.bytes.size()))
             recording->checkpoint(moment.step, {moment.bytes.begin(), moment.bytes.end()});
     };
@@ -35,7 +35,7 @@ std::optional<double> firstTimeAt(const Technique& technique, double place) {
 }
 
 void Redo::begin(std::shared_ptr<RecordingWriter> recording, bool goes) {
-    moments_.clear(takerFor(std::move(recording)), goes);
+    checkpoints_.clear(takerFor(std::move(recording)), goes);
     goes_ = goes;
     place_.reset();
     first_.reset();
@@ -43,11 +43,11 @@ void Redo::begin(std::shared_ptr<RecordingWriter> recording, bool goes) {
 }
 
 void Redo::update(const Trainer& trainer, double speed) {
-    moments_.update();
-    if (trainer.steps() == 0 || !moments_.due(trainer.time(), CheckpointPace::period(speed))) return;
+    checkpoints_.update();
+    if (trainer.steps() == 0 || !checkpoints_.due(trainer.time(), CheckpointSchedule::period(speed))) return;
     const Technique* technique = trainer.technique();
-    trainer.capture(moments_.capture(), moments_.historyTo());
-    moments_.begun(trainer.time(), technique == nullptr ? 0 : technique->steps().size());
+    trainer.capture(checkpoints_.capture(), checkpoints_.historyTo());
+    checkpoints_.begun(trainer.time(), technique == nullptr ? 0 : technique->steps().size());
     if (!first_) first_ = trainer.time();
 }
 
@@ -56,10 +56,10 @@ bool Redo::back(Trainer& trainer) {
     if (!can()) return false;
     const auto fault = place ? firstTimeAt(*trainer.technique(), *place) : std::nullopt;
     const double wanted = fault ? *fault - kRunUp : trainer.time() - kBack;
-    const auto moment = moments_.before(std::max(wanted, *first_)); // not before the first checkpoint
+    const auto moment = checkpoints_.before(std::max(wanted, *first_)); // not before the first checkpoint
     if (!moment || moment->step >= trainer.steps()) return false;
     trainer.redo(*moment);
-    moments_.branch(moment->step);
+    checkpoints_.branch(moment->step);
     ++redone_;
     return true;
 }

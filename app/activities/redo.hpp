@@ -2,7 +2,7 @@
 // The person stays at that Attempt, which begins from a checkpoint: see Attempt::beginFromCheckpoint().
 #pragma once
 
-#include "core/training/attempt/kept_moments.hpp"
+#include "core/training/attempt/checkpoint_ring.hpp"
 #include "core/training/trainer/trainer.hpp"
 
 #include <memory>
@@ -19,7 +19,7 @@ class Redo {
     static constexpr double kRunUp = 1;
 
     /// Starts another attempt, or none: drops all checkpoints. Some of the new ones go into `recording`, see
-    /// CheckpointPace; null: there is none. `goes`: false if the attempt cannot go back.
+    /// CheckpointSchedule; null: there is none. `goes`: false if the attempt cannot go back.
     void begin(std::shared_ptr<RecordingWriter> recording = {}, bool goes = true);
     /// Begins a checkpoint when one is due and continues one in progress; call it after the steps of a frame. `speed`:
     /// of making steps alone, over the clock. Never waits, and allocates nothing.
@@ -28,7 +28,7 @@ class Redo {
     /// Chooses the fault at this place (m along the seam) to go back before.
     void choose(double place) { place_ = place; }
     /// True if there is a checkpoint to go back to.
-    bool can() { return goes_ && first_ && moments_.count() > 0; }
+    bool can() { return goes_ && first_ && checkpoints_.count() > 0; }
     /// True if the attempt may go back at all.
     bool goes() const { return goes_; }
     /// Takes the metal back to before the chosen fault, or by kBack, and notes it in the record; false if no checkpoint
@@ -38,12 +38,12 @@ class Redo {
     /// Count of times this attempt went back: it is practice from the first time on, and its score does not count.
     size_t redone() const { return redone_; }
     /// Sentence that says why there is no way back; empty while there is one.
-    std::string fault() { return moments_.fault(); }
+    std::string fault() { return checkpoints_.fault(); }
     /// Memory of the checkpoints, bytes.
-    size_t bytes() { return moments_.bytes(); }
+    size_t bytes() { return checkpoints_.bytes(); }
 
   private:
-    KeptMoments moments_;
+    CheckpointRing checkpoints_;
     bool goes_ = true;
     std::optional<double> place_;
     std::optional<double> first_; ///< s, time of the first checkpoint

@@ -25,7 +25,7 @@ struct MeasuredLook {
     std::string what;
     LookParameters look;
     size_t eyes = 1;
-    std::optional<Measure> without = {};
+    std::optional<DetailFeature> without = {};
     BenchRow row = {};
 };
 

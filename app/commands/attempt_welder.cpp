@@ -6,7 +6,7 @@
 #include "core/base/resources.hpp"
 #include "core/base/text.hpp"
 #include "core/base/words.hpp"
-#include "core/training/lesson/lesson_room.hpp"
+#include "core/training/lesson/lesson_capacity.hpp"
 #include "core/training/trainer/repetition.hpp"
 
 #include <chrono>
@@ -31,7 +31,7 @@ ReplayMachine AttemptWelder::machine() const {
 LessonResult AttemptWelder::weld(const Lesson& lesson, RunFolder& folder, const RunHooks& hooks) {
     StopSignals signals;
     signals.endAfter(kPatience, {});
-    requireRoom(lesson, machineRoom());
+    requireCapacity(lesson, machineCapacity());
     if (const size_t removed = folder.clear(); removed > 0) say("%s\n", removedText(folder.path(), removed).c_str());
     RunStop stop;
     stop.asked = StopSignals::asked;

@@ -17,7 +17,7 @@ class AttemptWelder {
     ReplayMachine machine() const;
 
     /// Welds the lesson as `run` does, prints the result and the comparison with the recorded attempt, and returns the
-    /// figures. A signal stops it after the step. Throws whatever runHeadless() and requireRoom() throw.
+    /// figures. A signal stops it after the step. Throws whatever runHeadless() and requireCapacity() throw.
     LessonResult weld(const Lesson& lesson, RunFolder& folder, const RunHooks& hooks = {});
 
   private:

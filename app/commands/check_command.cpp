@@ -62,7 +62,7 @@ std::vector<LessonCheck> readChecks(const std::vector<fs::path>& named) {
 Judgement weld(const LessonCheck& check, gl::ShaderLibrary& shaders) {
     Trainer trainer(shaders, check.lesson);
     const Seam seam = seamOf(check.lesson.workpiece);
-    const BentPath path(check.lesson.torch, seam, check.bend);
+    const PerturbedPath path(check.lesson.torch, seam, check.bend);
     const double seconds = static_cast<double>(check.lesson.run.seconds) * check.bend.time;
     const size_t whole = stepsFor(seconds, trainer.timeStep());
     ProgressBar bar(check.name);

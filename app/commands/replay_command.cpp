@@ -1,5 +1,5 @@
 // `meltpool replay`: a recorded attempt welded again, unchanged or with one thing changed.
-#include "app/activities/moments_of_attempt.hpp"
+#include "app/activities/file_checkpoints.hpp"
 #include "app/commands/attempt_files.hpp"
 #include "app/commands/attempt_welder.hpp"
 #include "app/commands/commands.hpp"
@@ -52,7 +52,7 @@ RunHooks warned(const std::vector<std::string>& warnings) {
 }
 
 /// Makes the run begin at the newest of `moments` that is not beyond its end.
-void beginAt(RecordedMoments& moments, RunHooks& hooks) {
+void beginAt(RecordedCheckpoints& moments, RunHooks& hooks) {
     hooks.start = [&moments](Trainer& trainer) {
         const auto moment = moments.beforeStep(stepsOfRun(trainer));
         if (!moment) return;
@@ -63,7 +63,7 @@ void beginAt(RecordedMoments& moments, RunHooks& hooks) {
 
 /// Welds to the lesson's end, which is the requested second.
 void weldSought(AttemptWelder& welder, const Lesson& lesson, RunFolder& folder, RunHooks hooks) {
-    const MomentsOfAttempt recorded = momentsOfAttempt(lesson, welder.machine());
+    const FileCheckpoints recorded = fileCheckpoints(lesson, welder.machine());
     if (!recorded.refused.empty()) say("%s\n", printable(recorded.refused, 1000).c_str());
     if (recorded.moments) beginAt(*recorded.moments, hooks);
     welder.weld(lesson, folder, hooks);

@@ -16,7 +16,7 @@
 #include "core/gl/software_driver/software_driver.hpp"
 #include "core/training/attempt/record_text.hpp"
 #include "core/training/lesson/lesson.hpp"
-#include "core/training/lesson/lesson_room.hpp"
+#include "core/training/lesson/lesson_capacity.hpp"
 #include "core/training/trainer/repetition.hpp"
 
 #include <array>
@@ -159,7 +159,7 @@ void runLesson(const RunRequest& request) {
     if (hasFewPictures(lesson, hooks.film)) gl::runDriverSingleThreaded();
     const gl::HeadlessContext context;
     gl::ShaderLibrary shaders(resourceFolder() / "shaders");
-    requireRoom(lesson, machineRoom());
+    requireCapacity(lesson, machineCapacity());
     tellForm(lesson.torchFile, lesson.torch);
     if (!request.ghost.empty()) tellForm(request.ghost, hooks.ghost);
     hooks.warnings = tellWarnings(lesson, !request.seconds.empty());

@@ -129,7 +129,7 @@ void DesktopLessons::compare(double now) {
 void DesktopLessons::keepScore(double zoom, double now) {
     zoom_ = zoom;
     const CataloguedLesson* lesson = home_.find(session_.lesson());
-    if (lesson == nullptr || !session_.attempt().judged() || session_.log().moments().redone() > 0) return;
+    if (lesson == nullptr || !session_.attempt().judged() || session_.log().redo().redone() > 0) return;
     std::optional<BestScore> score = countedScore(session_.attempt().judged()->judgement);
     if (!score) return;
     score->zoom = zoom;

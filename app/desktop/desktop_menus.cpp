@@ -60,7 +60,7 @@ MenuRequest DesktopMenus::drawPanels(const DesktopMenuContent& content) {
     ui::temperatureScale(context, lesson.look.colours, content.session.run().scene()->view().temperature,
                          coveredLeft());
     panels.result = panels.result && content.session.judges();
-    makeRoom();
+    closeOverlapping();
     if (panels.result)
         if (const MenuRequest asked = ui::resultPanel(context, content.session, content.home);
             asked != MenuRequest::none)
@@ -79,7 +79,7 @@ void DesktopMenus::showResult(const LessonSession& session) {
     panels.hidden = false;
 }
 
-void DesktopMenus::makeRoom() {
+void DesktopMenus::closeOverlapping() {
     // The result shares its place with view menu and timings: the newer replaces the older.
     if (panels.result && (panels.view || panels.timings)) {
         if (resultIsNewer_)

@@ -42,7 +42,7 @@ class DesktopMenus {
 
   private:
     MenuRequest drawPanels(const DesktopMenuContent& content);
-    void makeRoom();
+    void closeOverlapping();
     float coveredLeft();
     float coveredRight();
 

@@ -13,16 +13,16 @@ void DesktopSound::update(LessonSession& session, const Controls& controls, cons
     if (!place)
         if (const auto seen = session.picture().arcFrom(controls.view(1).worldToEye))
             place = SoundOutput::atDesk(*seen);
-    output_.update(session.hearing().parameters.volume, place.value_or(glm::vec3(0, 0, -1)));
+    output_.update(session.sound().parameters.volume, place.value_or(glm::vec3(0, 0, -1)));
     if (told_ || !output_.known()) return;
     told_ = true;
     device_ = output_.sentence();
-    session.help().sound.parameters = describe(session.hearing().parameters, device_);
+    session.help().sound.parameters = describe(session.sound().parameters, device_);
 }
 
 void DesktopSound::judged(LessonSession& session) const {
     const bool slag = traitsOf(session.lesson().process).shielding == Shielding::slag;
-    if (slag && session.attempt().judged()) session.hearing().ear.chip(kChips);
+    if (slag && session.attempt().judged()) session.sound().soundSteps.chip(kChips);
 }
 
 } // namespace meltpool

@@ -13,7 +13,7 @@ namespace meltpool {
 class DesktopSound {
   public:
     /// Plays the sound of `session`, which must outlive this.
-    explicit DesktopSound(LessonSession& session) : output_(session.hearing().ear.feed()) {}
+    explicit DesktopSound(LessonSession& session) : output_(session.sound().soundSteps.feed()) {}
 
     /// Moves the arc's sound to the place where the person sees the arc: in the room with a headset (null: none has
     /// this frame), else in the picture. Neither waits nor allocates, except once, when the device is known.

@@ -47,7 +47,7 @@ bool HeadsetFrontEnd::begin(LessonSession& session, const Home& home, double ela
     mirrored_ = false;
     if (changes_.lessonBegan(session)) {
         hands_.forgetSteps();
-        hands_.putOut(session.log().moments().redone() > 0 ? ArcOut::redone : ArcOut::lessonBegan);
+        hands_.putOut(session.log().redo().redone() > 0 ? ArcOut::redone : ArcOut::lessonBegan);
     }
     const bool weld = session.lesson().model == LessonModel::Weld;
     if (weld && changes_.lessonStarted()) parameters_.weldZoom = 1;

@@ -91,7 +91,7 @@ void StereoView::draw(LessonSession& session, const SceneView& lesson, const Wor
     hands_.tools = demonstrated ? lesson.solids : lesson.solids.last(lesson.rodSolids);
     hands_.toolsToWorkshop = place.modelToWorkshop(kClassicUnit);
     LookParameters look = session.picture().look();
-    const bool fine = has(look, Measure::room) && lesson.room.shown; // only weld lessons have a room
+    const bool fine = has(look, DetailFeature::room) && lesson.room.shown; // only weld lessons have a room
     if (fine) furnish(session, lesson);
     scene.solids = scene_.build(parameters_, hands_);
     scene.tableShown = true;

@@ -3,7 +3,7 @@
 
 #include "app/headset/tracked_torch.hpp"
 #include "core/render/solids.hpp"
-#include "core/scene/bench_things.hpp"
+#include "core/scene/workshop_furniture.hpp"
 #include "core/weld/process/processes.hpp"
 
 #include <optional>

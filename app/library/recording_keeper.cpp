@@ -51,7 +51,7 @@ void RecordingKeeper::open(Trainer& trainer, int attempt) {
         throw InputError(folder_, 0,
                          "the folder of recordings cannot be made: " + failure.message() +
                              "; expected a place where a folder may be made");
-    makeRoom();
+    freeSpace();
     AttemptHead head = trainer.attemptHead();
     head.lessonFile = fileOutsideCatalogue(trainer.lesson());
     head.lessonHash = fileHash(trainer.lesson().file);
@@ -69,7 +69,7 @@ void RecordingKeeper::open(Trainer& trainer, int attempt) {
     trainer.recordInto(current_);
 }
 
-void RecordingKeeper::makeRoom() {
+void RecordingKeeper::freeSpace() {
     const std::uint64_t limit = static_cast<std::uint64_t>(parameters.limitMb) * 1'000'000;
     notice_ = keepWithinLimit(folder_, limit, made_);
     if (!notice_.empty() || nearLimitTold_) return;

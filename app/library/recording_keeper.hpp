@@ -64,7 +64,7 @@ class RecordingKeeper {
     };
 
     void open(Trainer& trainer, int attempt);
-    void makeRoom();
+    void freeSpace();
     void tell(std::string_view key, std::string_view reason);
 
     std::filesystem::path folder_;

@@ -18,7 +18,7 @@ void fillFigures(LessonFigures& figures, LessonSession& session) {
     figures.lost = metal.lost;
     figures.refused = metal.nonFinite;
     figures.stopped = !run.fault().empty();
-    figures.caption = session.hearing().caption();
+    figures.caption = session.sound().caption();
     const DeskTorch& torch = session.deskTorch();
     const bool led = session.leader() == TorchLeader::desk && torch.leads();
     figures.torch = led ? std::optional(torch.pose()) : std::nullopt;

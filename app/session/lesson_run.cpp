@@ -5,12 +5,12 @@
 
 namespace meltpool {
 
-LessonRun::LessonRun(gl::ShaderLibrary& shaders, Activities& activities, Stopwatch now, gl::OtherContext* metalThere)
-    : shaders_(shaders), activities_(activities), metalThere_(metalThere), now_(now) {}
+LessonRun::LessonRun(gl::ShaderLibrary& shaders, Activities& activities, Stopwatch now, gl::StepContext* stepContext)
+    : shaders_(shaders), activities_(activities), stepContext_(stepContext), now_(now) {}
 
 void LessonRun::make(Lesson lesson) {
     free(); // the next metal may need its memory
-    auto trainer = std::make_unique<Trainer>(shaders_, std::move(lesson), metalThere_);
+    auto trainer = std::make_unique<Trainer>(shaders_, std::move(lesson), stepContext_);
     scene_ = std::make_unique<LessonScene>(shaders_, *trainer);
     trainer_ = std::move(trainer);
     clock_.reset();
@@ -45,10 +45,10 @@ void LessonRun::guarded(FunctionRef<void()> work) {
     }
 }
 
-bool LessonRun::beginSteps(RunFrame frame, Ear& ear, gl::Profiler* profiler) {
-    ActivityFrame& now =
-        frame_.emplace(ActivityFrame{shaders_, trainer_.get(), clock_, ear, now_, profiler, frame.seconds, beside_,
-                                     frame.waits, frame.forScore, !fault_.empty(), false, std::move(frame.torch)});
+bool LessonRun::beginSteps(RunFrame frame, SoundSteps& soundSteps, gl::Profiler* profiler) {
+    ActivityFrame& now = frame_.emplace(ActivityFrame{shaders_, trainer_.get(), clock_, soundSteps, now_, profiler,
+                                                      frame.seconds, beside_, frame.waits, frame.forScore,
+                                                      !fault_.empty(), false, std::move(frame.torch)});
     std::optional<int> due;
     guarded([&] {
         due = activities_.current().due(now);

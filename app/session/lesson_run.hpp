@@ -23,9 +23,9 @@ struct RunFrame {
 
 class LessonRun {
   public:
-    /// Runs the metal of `activities`. `now`: clock that measures the steps. `metalThere`: context of the metal, see
+    /// Runs the metal of `activities`. `now`: clock that measures the steps. `stepContext`: context of the metal, see
     /// LessonMetal. All must outlive this.
-    LessonRun(gl::ShaderLibrary& shaders, Activities& activities, Stopwatch now, gl::OtherContext* metalThere);
+    LessonRun(gl::ShaderLibrary& shaders, Activities& activities, Stopwatch now, gl::StepContext* stepContext);
 
     /// Frees the old metal and its clock and makes that of this lesson. Throws InputError or RuntimeFault when memory
     /// or driver do not suffice; then there is none.
@@ -66,8 +66,8 @@ class LessonRun {
     /// the picture.
     void stepBeside(double rest) { beside_ = rest; }
     /// Returns true if makeSteps() and then finishSteps() must be called before anything else of the lesson except
-    /// completing and drawing its picture. `ear` hears the steps. Outside a lesson there are no steps: false.
-    bool beginSteps(RunFrame frame, Ear& ear, gl::Profiler* profiler);
+    /// completing and drawing its picture. `soundSteps` hears the steps. Outside a lesson there are no steps: false.
+    bool beginSteps(RunFrame frame, SoundSteps& soundSteps, gl::Profiler* profiler);
     /// Makes the steps; may run on the thread of the metal's context, while the picture shows the metal as it was.
     void makeSteps(gl::Profiler* profiler);
     void finishSteps();
@@ -87,7 +87,7 @@ class LessonRun {
   private:
     gl::ShaderLibrary& shaders_;
     Activities& activities_;
-    gl::OtherContext* metalThere_;
+    gl::StepContext* stepContext_;
     Stopwatch now_;
     std::unique_ptr<Trainer> trainer_;
     std::unique_ptr<LessonScene> scene_; ///< scene of the trainer

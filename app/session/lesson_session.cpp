@@ -21,12 +21,12 @@ double machineSeconds() {
 }
 
 LessonSession::LessonSession(gl::ShaderLibrary& shaders, Lesson lesson, Stopwatch stopwatch,
-                             gl::OtherContext* metalThere)
+                             gl::StepContext* stepContext)
     : values_(std::move(lesson)),
-      run_(shaders, activities_, stopwatch, metalThere),
+      run_(shaders, activities_, stopwatch, stepContext),
       picture_(shaders, {values_.lesson(), run_, activities_, lead_}),
       help_{{"cues", describe(attempt().cues().parameters)},
-            {"sound", describe(hearing_.parameters)},
+            {"sound", describe(sound_.parameters)},
             {"ghost", describe(attempt().ghost().parameters)}} {
     openHelp();
 }
@@ -81,8 +81,8 @@ void LessonSession::makeMetal(const ProcessSettings* process) {
             made.set(key, value, "a value that was offered");
     if (process != nullptr) made.process = *process;
     run_.make(std::move(made));
-    hearing_.ear.reset();
-    if (!trial.measuring()) run_.trainer()->listen(&hearing_.ear);
+    sound_.soundSteps.reset();
+    if (!trial.measuring()) run_.trainer()->listen(&sound_.soundSteps);
     if (process == nullptr) values_.follow(*run_.trainer());
 }
 
@@ -115,7 +115,7 @@ void LessonSession::openReplay(Lesson attempt, Controls& controls) {
     prepare(controls);
     attempt.surface = lesson().surface; // the viewer chooses how it is shown
     run_.make(std::move(attempt));
-    hearing_.ear.reset();
+    sound_.soundSteps.reset();
     beginOver(activities_.replay);
     activities_.replay.begin(*run_.trainer(), thisMachine(), run_.stopwatch());
 }
@@ -178,7 +178,7 @@ void LessonSession::judge() {
 
 /// An attempt for score is welded once, from beginning to end.
 bool LessonSession::redoes() {
-    return judges() && !values_.forScore() && !question_.asked() && run_.fault().empty() && log().moments().can();
+    return judges() && !values_.forScore() && !question_.asked() && run_.fault().empty() && log().redo().can();
 }
 
 void LessonSession::redo(Controls& controls) {

@@ -4,9 +4,9 @@
 #include "app/activities/activities.hpp"
 #include "app/activities/question.hpp"
 #include "app/session/controls.hpp"
-#include "app/session/hearing.hpp"
 #include "app/session/lesson_picture.hpp"
 #include "app/session/lesson_run.hpp"
+#include "app/session/lesson_sound.hpp"
 #include "app/session/lesson_values.hpp"
 #include "app/session/torch_lead.hpp"
 
@@ -28,10 +28,10 @@ struct HelpSections {
 
 class LessonSession {
   public:
-    /// `stopwatch` measures the steps. `metalThere`: context of the metal, see LessonMetal; it must outlive the
+    /// `stopwatch` measures the steps. `stepContext`: context of the metal, see LessonMetal; it must outlive the
     /// session. Throws InputError when the shaders cannot be used.
     LessonSession(gl::ShaderLibrary& shaders, Lesson lesson, Stopwatch stopwatch = machineSeconds,
-                  gl::OtherContext* metalThere = nullptr);
+                  gl::StepContext* stepContext = nullptr);
     ~LessonSession() { end("the program ended"); }
 
     /// Takes another lesson, with the values of its file. A running one ends. Earlier results of sections() become
@@ -106,7 +106,7 @@ class LessonSession {
     void toggleCut(Controls& controls);
 
     /// Sound of the lesson.
-    Hearing& hearing() { return hearing_; }
+    LessonSound& sound() { return sound_; }
     HelpSections& help() { return help_; }
     /// Torch that mouse and keys lead, in a weld lesson.
     const DeskTorch& deskTorch() const { return lead_.desk(); }
@@ -133,7 +133,7 @@ class LessonSession {
     LessonRun run_;
     TorchLead lead_;
     LessonPicture picture_;
-    Hearing hearing_;
+    LessonSound sound_;
     HelpSections help_;
     Question question_;
     bool paused_ = false;

@@ -27,7 +27,7 @@ bool LessonSession::beginSteps(const Controls& controls, double seconds, gl::Pro
     if (!running()) {
         RunFrame frame;
         frame.seconds = seconds;
-        run_.beginSteps(std::move(frame), hearing_.ear, profiler);
+        run_.beginSteps(std::move(frame), sound_.soundSteps, profiler);
         return false;
     }
     const Allowed allowed = activities_.allowed();
@@ -42,7 +42,7 @@ bool LessonSession::beginSteps(const Controls& controls, double seconds, gl::Pro
     held_ = held;
     RunFrame frame{seconds, waits(controls), values_.forScore(),
                    [this](int step, int steps) { return nextTorch(step, steps); }};
-    const bool due = run_.beginSteps(std::move(frame), hearing_.ear, profiler);
+    const bool due = run_.beginSteps(std::move(frame), sound_.soundSteps, profiler);
     if (activities_.trial.measuring() && !run_.fault().empty()) {
         activities_.trial.stop();
         question_ = {};

@@ -36,18 +36,19 @@ bool LessonValues::machineChosen() const {
 }
 
 void LessonValues::follow(Trainer& trainer) {
-    wanted_ = liveParameters(lesson_.metalParameters());
-    running_ = liveParameters(trainer.lesson().metalParameters());
+    menuValues_ = liveParameters(lesson_.metalParameters());
+    liveValues_ = liveParameters(trainer.lesson().metalParameters());
 }
 
 void LessonValues::unfollow() {
-    wanted_.clear();
-    running_.clear();
+    menuValues_.clear();
+    liveValues_.clear();
 }
 
 void LessonValues::apply(Trainer& trainer) {
-    for (size_t i = 0; i < wanted_.size(); ++i)
-        if (!sameValue(wanted_[i], running_[i])) trainer.change(wanted_[i].key, parameterText(wanted_[i]), "the menu");
+    for (size_t i = 0; i < menuValues_.size(); ++i)
+        if (!sameValue(menuValues_[i], liveValues_[i]))
+            trainer.change(menuValues_[i].key, parameterText(menuValues_[i]), "the menu");
 }
 
 } // namespace meltpool

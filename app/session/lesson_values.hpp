@@ -38,7 +38,7 @@ class LessonValues {
     /// Connects this metal: apply() brings the menus' values to it.
     void follow(Trainer& trainer);
     void unfollow();
-    bool followed() const { return !wanted_.empty(); }
+    bool followed() const { return !menuValues_.empty(); }
     /// Applies the menus' changes since the last call.
     void apply(Trainer& trainer);
 
@@ -46,8 +46,8 @@ class LessonValues {
     ProcessSettings given_;
     Lesson lesson_;
     std::optional<LessonSections> sections_; ///< sections of lesson_; never empty
-    ParameterList wanted_;                   ///< live values of metal and process in the menus
-    ParameterList running_;                  ///< live values of the running metal
+    ParameterList menuValues_;               ///< live values of metal and process in the menus
+    ParameterList liveValues_;               ///< live values of the running metal
 };
 
 } // namespace meltpool

@@ -2,7 +2,7 @@
 // changes.
 #pragma once
 
-#include "core/training/feedback/sound/ear.hpp"
+#include "core/training/feedback/sound/sound_steps.hpp"
 
 #include <glm/vec3.hpp>
 

@@ -1,8 +1,8 @@
 // The conversion of a lesson's steps into blocks of samples for a device, at any speed of the metal.
 #pragma once
 
-#include "core/training/feedback/sound/ear.hpp"
 #include "core/training/feedback/sound/sound.hpp"
+#include "core/training/feedback/sound/sound_steps.hpp"
 
 #include <cstdint>
 #include <span>

@@ -88,7 +88,7 @@ MenuRequest drawCorrections(Context& context, LessonSession& session) {
         if (!place || !button(context, kButtons[i], phrase("result.correction.redo").c_str(), ButtonKind::plain, 150,
                               phrase("result.correction.redo_tooltip").c_str()))
             continue;
-        session.log().moments().choose(*place);
+        session.log().redo().choose(*place);
         request = MenuRequest::redo;
     }
     return request;
@@ -103,7 +103,7 @@ MenuRequest drawJudgement(Context& context, LessonSession& session, const Techni
     ImGui::PopFont();
     markItem(context, "result.score");
     if (!best.empty()) quietText(context, best);
-    if (session.log().moments().redone() > 0) quietText(context, phrase("result.note.practice"));
+    if (session.log().redo().redone() > 0) quietText(context, phrase("result.note.practice"));
     quietText(context, rows.scoreNote);
     ImGui::PushFont(context.fonts.strong);
     wrapped(rows.verdict, tintOf(rows.verdictState));

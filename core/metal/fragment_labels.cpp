@@ -53,7 +53,7 @@ void FragmentLabels::makeTexels() {
     positionTexels_ = gl::BufferView("fragment positions", state_.position, GL_RGBA32F, sizeof(vec4));
 }
 
-void FragmentLabels::takeCapacity() {
+void FragmentLabels::onCapacityChanged() {
     const size_t before = labels_.bytes(), bytes = state_.capacity() * sizeof(uint);
     for (gl::Buffer* buffer : {&cellNext_, &labels_, &firstLabels_, &freeSlots_})
         buffer->resize(bytes);

@@ -18,7 +18,7 @@ class FragmentLabels {
     /// Returns to the initial state without allocating.
     void reset();
     /// Adapts to the state's new capacity. Throws RuntimeFault if the driver has no memory.
-    void takeCapacity();
+    void onCapacityChanged();
 
     /// Makes the next part of a cycle; returns true for the last part.
     bool advance();

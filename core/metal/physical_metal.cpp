@@ -118,14 +118,14 @@ void PhysicalMetal::make() {
 /// Grows the state first: if the driver has no memory for the others, only the state has spare capacity.
 void PhysicalMetal::setCapacity(size_t capacity) {
     state_->setCapacity(capacity);
-    heat_->takeCapacity();
-    flow_->takeCapacity();
-    fragments_->takeCapacity();
+    heat_->onCapacityChanged();
+    flow_->onCapacityChanged();
+    fragments_->onCapacityChanged();
     room_ = capacity;
 }
 
 /// Reserves more than asked for, so that growth is rare.
-void PhysicalMetal::makeRoom(size_t particles) {
+void PhysicalMetal::reserve(size_t particles) {
     constexpr size_t kLeast = 2048, kShare = 16;
     if (particles <= room_ || !grows_) return;
     const size_t capacity = std::min(particles + std::max(kLeast, particles / kShare), setup_.mostParticles);
@@ -168,12 +168,12 @@ void PhysicalMetal::transfer(gl::StateArchive& archive) {
     if (archive.restores()) answers_.forget();
 }
 
-void PhysicalMetal::fold() {
+void PhysicalMetal::xorOutDerivedState() {
     constexpr GLbitfield kBarrier = GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
                                     GL_BUFFER_UPDATE_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT;
     gl::memoryBarrier(kBarrier);
-    heat_->fold(); // neither reads values that the other changes
-    flow_->fold();
+    heat_->xorOutDerivedState(); // neither reads values that the other changes
+    flow_->xorOutDerivedState();
     gl::memoryBarrier(kBarrier);
 }
 
@@ -181,7 +181,7 @@ void PhysicalMetal::setLiquidConductivity(const Property& conductivity) {
     setup_.material.liquidConductivity = conductivity;
     table_ = HeatTable(setup_.material);
     state_->setTable(table_);
-    heat_->takeTable();
+    heat_->onTableChanged();
 }
 
 /// Moves nearby drops outside the space straight into it; refuses the others, because the flow would move them to the
@@ -190,7 +190,7 @@ void PhysicalMetal::addFiller(std::span<const MetalSeed> filler) {
     accepted_.clear();
     for (MetalSeed seed : filler)
         if (fliesIn(seed, setup_.space)) accepted_.push_back(seed);
-    makeRoom(state_->particles() + accepted_.size());
+    reserve(state_->particles() + accepted_.size());
     accepted_.resize(std::min(accepted_.size(), room_ - state_->particles()));
     state_->add(accepted_);
     refused_ += filler.size() - accepted_.size();

@@ -56,7 +56,7 @@ class PhysicalMetal {
     void transfer(gl::StateArchive& archive);
     /// Replaces derivable values by their XOR with the derived value, mostly zero, so that they compress to nothing. A
     /// second call restores them to the bit. A state is saved and restored folded, and has no other use meanwhile.
-    void fold();
+    void xorOutDerivedState();
 
     /// Calls HeatSolver::setStirringLess(), with its condition on the setup's heat.
     void setStirringLess(glm::vec3 shares) { heat_->setStirringLess(shares); }
@@ -99,7 +99,7 @@ class PhysicalMetal {
     void make();
     void begin();
     void setCapacity(size_t capacity);
-    void makeRoom(size_t particles);
+    void reserve(size_t particles);
     void addFiller(std::span<const MetalSeed> filler);
     void gatherStatistics();
     MetalStatistics joined(const Parts& parts) const;

@@ -40,7 +40,7 @@ class RigidFragments {
     /// Returns to the initial state without allocating; call it after the state was reset and refilled.
     void reset();
     /// Adapts to the state's new capacity. Throws RuntimeFault if the driver has no memory.
-    void takeCapacity() { labels_.takeCapacity(); }
+    void onCapacityChanged() { labels_.onCapacityChanged(); }
 
     /// Does one small part of labelling the fragments, with about the same upper cost for any amount of metal; a whole
     /// cycle takes 26 calls, more for very much metal. Call it once a frame. Reads positions and phases; at the end of

@@ -36,23 +36,23 @@ void EffectsPainter::upload(const SceneView& scene, const LookParameters& look) 
 
 void EffectsPainter::uploadSparks(const SceneView& scene, const LookParameters& look) {
     count_ = 0;
-    if (!showsEffects(scene, look) || !look.spatter || !has(look, Measure::spatter)) return;
+    if (!showsEffects(scene, look) || !look.spatter || !has(look, DetailFeature::spatter)) return;
     const ArcEffectsView& effects = scene.effects;
-    const size_t all =
-        scene.tableShown && has(look, Measure::room) ? effects.sparks.size() : effects.sparks.size() - effects.onTable;
+    const size_t all = scene.tableShown && has(look, DetailFeature::room) ? effects.sparks.size()
+                                                                          : effects.sparks.size() - effects.onTable;
     count_ = std::min(all, kRoom);
     if (count_ > 0) buffers_[current_].write(effects.sparks.first(count_));
 }
 
 void EffectsPainter::uploadFume(const SceneView& scene, const LookParameters& look) {
-    const bool shown = showsEffects(scene, look) && look.fume && has(look, Measure::fume);
+    const bool shown = showsEffects(scene, look) && look.fume && has(look, DetailFeature::fume);
     const Fume& fume = scene.effects.fume;
     scattering_ = shown && scene.arc.intensity.g > 0 ? fume.scattering : 0;
     puffs_ = shown ? std::min(fume.puffs.size(), FumePuffs::kMost) : 0;
     if (puffs_ == 0) return;
     puffBuffers_[current_].write(fume.puffs.first(puffs_));
     pool_ = fume.pool;
-    tableTop_ = scene.tableShown && has(look, Measure::room) ? scene.tableTop : -1e9f;
+    tableTop_ = scene.tableShown && has(look, DetailFeature::room) ? scene.tableTop : -1e9f;
 }
 
 void EffectsPainter::drawSparks(const ViewBatch& views, const RenderTarget& target) const {

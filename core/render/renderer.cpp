@@ -4,6 +4,7 @@
 #include "core/render/effects_painter.hpp"
 #include "core/render/frame_block.hpp"
 #include "core/render/kept_sky.hpp"
+#include "core/render/line_of_sight.hpp"
 #include "core/render/look/environment.hpp"
 #include "core/render/look/heat_colours.hpp"
 #include "core/render/look/material_presets.hpp"
@@ -11,12 +12,11 @@
 #include "core/render/look/mirror_shares.hpp"
 #include "core/render/look/noise.hpp"
 #include "core/render/look/temperature_scale.hpp"
-#include "core/render/room_painter.hpp"
-#include "core/render/sight.hpp"
 #include "core/render/solids.hpp"
 #include "core/render/stroke_painter.hpp"
 #include "core/render/surface_painter.hpp"
 #include "core/render/toned_program.hpp"
+#include "core/render/workshop_painter.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -83,7 +83,7 @@ struct Renderer::Parts {
     SectionPainter section;
     StrokePainter strokes;
     EffectsPainter effects;
-    RoomPainter room;
+    WorkshopPainter room;
     TonedProgram points;
     TonedProgram sky;
     TonedProgram box;
@@ -180,7 +180,7 @@ void Renderer::Parts::prepare(const SceneView& scene, const LookParameters& look
     noise.bind(NOISE_UNIT);
     heat.bind(HEAT_UNIT);
     mirrorShares.bind(MIRROR_SHARE_UNIT);
-    roomShown = look.showSky && has(look, Measure::room) && scene.room.shown && insideRoom(scene.room, views);
+    roomShown = look.showSky && has(look, DetailFeature::room) && scene.room.shown && insideRoom(scene.room, views);
     gatherSolids(scene, look, views);
 }
 
@@ -244,7 +244,7 @@ void Renderer::Parts::drawBatch(const SceneView& scene, const LookParameters& lo
         solids.draw(scene.markers, views, target);
         glDisable(GL_CULL_FACE);
     }
-    if (scene.arc.intensity.g > 0 && has(look, Measure::glare)) {
+    if (scene.arc.intensity.g > 0 && has(look, DetailFeature::glare)) {
         const gl::Scope scope(profiler, "draw glare");
         drawGlare(views, target);
     }
@@ -280,11 +280,11 @@ void Renderer::Parts::gatherSolids(const SceneView& scene, const LookParameters&
         const Solid source = sourceSolid(scene.source, scene.modelToWorld);
         solids.gather({&source, 1});
     }
-    const bool fine = has(look, Measure::fittings) && !scene.fittings.empty();
+    const bool fine = has(look, DetailFeature::fittings) && !scene.fittings.empty();
     solids.gather(scene.solids, false, !fine);
     if (fine) gatherFittings(scene, views);
     // Furniture is left out without the room, and with a room that is not visible.
-    if (has(look, Measure::room) && roomShown == scene.room.shown) solids.gather(scene.furniture, true);
+    if (has(look, DetailFeature::room) && roomShown == scene.room.shown) solids.gather(scene.furniture, true);
     solids.upload();
 }
 

@@ -3,7 +3,7 @@
 
 #include "core/metal/material/materials.hpp"
 #include "core/metal/state/particle_view.hpp"
-#include "core/render/effects/eye.hpp"
+#include "core/render/effects/eye_adaptation.hpp"
 #include "core/render/effects/spark.hpp"
 #include "core/render/section.hpp"
 #include "core/render/solids.hpp"
@@ -46,7 +46,7 @@ struct ArcLight {
 };
 
 /// The workshop as geometry around the scene.
-struct RoomView {
+struct WorkshopView {
     bool shown = false; ///< false: the sky is drawn, alike from everywhere
     /// Transform from the workshop's frame (m, floor at WORKSHOP_FLOOR): one scale, translation.
     glm::mat4 toWorld{1.0f};
@@ -74,7 +74,7 @@ struct SceneView {
     std::span<const WorkpieceBlock> blocks; ///< model units; they block the arc's light from the solids behind them
     std::span<const Solid> solids;          ///< torch, table, clamps
     std::span<const Solid> fittings;        ///< finer solids of torch and hands, for high detail
-    RoomView room;                          ///< for detail that is not low; else, and from outside of it, the sky
+    WorkshopView room;                      ///< for detail that is not low; else, and from outside of it, the sky
     std::span<const Solid> furniture;       ///< things in the room other than the workpiece; drawn with it only
     float tableTop = -1e9f;                 ///< world height of the table among them
     size_t holderSolids = 0;                ///< number of the last of them that hold the workpiece

@@ -10,7 +10,7 @@ namespace meltpool {
 
 namespace {
 
-const std::vector<std::pair<unsigned, std::string>> kOfSolids{{bitOf(Measure::torchShadow), "TORCH_SHADOW"}};
+const std::vector<std::pair<unsigned, std::string>> kOfSolids{{bitOf(DetailFeature::torchShadow), "TORCH_SHADOW"}};
 
 } // namespace
 

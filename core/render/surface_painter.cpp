@@ -13,15 +13,15 @@ namespace {
 
 constexpr GLuint kVertexBuffer = 0, kPeakBuffer = 1, kFreezingBuffer = 2; // bindings of the vertex array
 constexpr std::array<GLuint, MOST_VIEWS + 1> kCounts{0, 1, 2, 3, 4};
-const std::vector<std::pair<unsigned, std::string>> kOfHotMetal{{bitOf(Measure::torchShadow), "TORCH_SHADOW"},
-                                                                {bitOf(Measure::roughLobes), "ROUGH_LOBES"},
-                                                                {bitOf(Measure::calmHighlights), "SPECULAR_AA"},
-                                                                {bitOf(Measure::ripples), "RIPPLES"},
-                                                                {bitOf(Measure::millScale), "MILL_SCALE"}};
+const std::vector<std::pair<unsigned, std::string>> kOfHotMetal{{bitOf(DetailFeature::torchShadow), "TORCH_SHADOW"},
+                                                                {bitOf(DetailFeature::roughLobes), "ROUGH_LOBES"},
+                                                                {bitOf(DetailFeature::calmHighlights), "SPECULAR_AA"},
+                                                                {bitOf(DetailFeature::ripples), "RIPPLES"},
+                                                                {bitOf(DetailFeature::millScale), "MILL_SCALE"}};
 
 std::vector<std::pair<unsigned, std::string>> ofPool() {
     auto measures = kOfHotMetal;
-    measures.emplace_back(bitOf(Measure::floatingOxide), "FLOATING_OXIDE");
+    measures.emplace_back(bitOf(DetailFeature::floatingOxide), "FLOATING_OXIDE");
     return measures;
 }
 
@@ -76,15 +76,16 @@ void SurfacePainter::load(ViewSubmission submission) {
 
 void SurfacePainter::prepare(const SceneView& scene, const LookParameters& look, int instances) {
     if (isHotMetal(scene, look)) {
-        rippled_ = scene.mesh.freezing != nullptr && has(look, Measure::ripples) && has(look, Measure::roughLobes);
+        rippled_ =
+            scene.mesh.freezing != nullptr && has(look, DetailFeature::ripples) && has(look, DetailFeature::roughLobes);
         const bool oxidised =
-            scene.oxideRadius > 0 && scene.particles.positions != nullptr && has(look, Measure::floatingOxide);
+            scene.oxideRadius > 0 && scene.particles.positions != nullptr && has(look, DetailFeature::floatingOxide);
         const bool scaled = scene.rolled.count > 0 && scene.looks != nullptr && scene.looks->millScale > 0;
-        const unsigned measures = measuresOf(look) & ~(rippled_ ? 0u : bitOf(Measure::ripples)) &
-                                  ~(oxidised ? 0u : bitOf(Measure::floatingOxide)) &
-                                  ~(scaled ? 0u : bitOf(Measure::millScale));
+        const unsigned measures = measuresOf(look) & ~(rippled_ ? 0u : bitOf(DetailFeature::ripples)) &
+                                  ~(oxidised ? 0u : bitOf(DetailFeature::floatingOxide)) &
+                                  ~(scaled ? 0u : bitOf(DetailFeature::millScale));
         hotMetal_.choose(measures);
-        if (has(look, Measure::poolMirror)) {
+        if (has(look, DetailFeature::poolMirror)) {
             pool_.choose(measures);
             if (oxidised) oxide_.find(scene.particles);
         }
@@ -127,7 +128,7 @@ void SurfacePainter::drawHotMetal(const SurfaceMesh& mesh, const LookParameters&
     if (rippled_) bindFreezing(mesh);
     hotMetal_.use(target, views);
     drawMesh(mesh, views);
-    if (has(look, Measure::poolMirror)) {
+    if (has(look, DetailFeature::poolMirror)) {
         glDepthFunc(GL_LEQUAL);
         pool_.use(target, views);
         drawMesh(mesh, views);

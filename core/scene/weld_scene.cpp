@@ -1,8 +1,8 @@
 #include "core/scene/weld_scene.hpp"
 
-#include "core/scene/bench_things.hpp"
 #include "core/scene/torch_fittings.hpp"
 #include "core/scene/torch_model.hpp"
+#include "core/scene/workshop_furniture.hpp"
 #include "core/weld/workpiece/position.hpp"
 #include "shaders/shared/render.h"
 

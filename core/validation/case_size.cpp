@@ -18,8 +18,8 @@ std::string figure(double value) {
 
 } // namespace
 
-void requireRoom(const ValidationCase& from, const MetalSize& size) {
-    if (const std::string fault = roomFault(size, machineRoom()); !fault.empty())
+void requireCapacity(const ValidationCase& from, const MetalSize& size) {
+    if (const std::string fault = capacityFault(size, machineCapacity()); !fault.empty())
         throw InputError(from.file, 0,
                          "spacing_mm: the case " + fault + "; expected a larger spacing or a smaller case");
 }

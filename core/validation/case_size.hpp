@@ -1,13 +1,13 @@
 // Checks that a case fits its spacing and this machine, before anything is made of it.
 #pragma once
 
-#include "core/metal/metal_room.hpp"
+#include "core/metal/metal_capacity.hpp"
 #include "core/validation/validation_case.hpp"
 
 namespace meltpool {
 
 /// Throws InputError in a sentence if the memory that is free now, or the driver's buffers, could not hold it.
-void requireRoom(const ValidationCase& from, const MetalSize& size);
+void requireCapacity(const ValidationCase& from, const MetalSize& size);
 
 /// Throws InputError if the case would take too many steps of heat or flow to wait for.
 void requireSteps(const ValidationCase& from, double steps);

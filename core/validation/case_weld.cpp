@@ -33,7 +33,7 @@ ValidationCase withinThree(ValidationCase from) {
 void requireWeldRoom(const ValidationCase& from, const ProcessSettings& settings, double volume, double seconds) {
     const double count = (volume + equipmentOf(settings).wireRate() * seconds) / std::pow(from.spacing, 3);
     const double cells = 4 * count; // cells with the space around the workpiece
-    requireRoom(from, {cells, count, count, cells});
+    requireCapacity(from, {cells, count, count, cells});
 }
 
 CaseWeld::CaseWeld(const ValidationCase& from, gl::ShaderLibrary& shaders, const ProcessSettings& settings,

@@ -2,7 +2,7 @@
 #include "core/base/text.hpp"
 #include "core/metal/flow/flow.hpp"
 #include "core/validation/case_size.hpp"
-#include "core/validation/heat_bench.hpp"
+#include "core/validation/heat_rig.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -125,7 +125,7 @@ void runCavityMelting(const ValidationCase& from, gl::ShaderLibrary& shaders, Va
     const double layer = (from.number("width_mm") * 1e-3 / from.spacing + 2.0 * static_cast<double>(kWall)) *
                          (from.number("height_mm") * 1e-3 / from.spacing + 2.0 * static_cast<double>(kWall));
     const double count = layer * static_cast<double>(kDeep + 4);
-    requireRoom(from, {count, count, count, count});
+    requireCapacity(from, {count, count, count, count});
     const Cavity cavity(from);
     const auto seeds = cavity.seeds();
     const auto metal = static_cast<size_t>(cavity.width * cavity.height * kDeep);

@@ -2,7 +2,7 @@
 // tile's section.
 #include "core/validation/case_size.hpp"
 #include "core/validation/exact_solutions.hpp"
-#include "core/validation/heat_bench.hpp"
+#include "core/validation/heat_rig.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ struct Column {
            double initial, double wall)
         : spacing(from.spacing), wallTemperature(wall) {
         const double layers = std::max(kLeastLayers, std::ceil(depth / spacing));
-        requireRoom(from, {(layers + 4) * kSection, (layers + 1) * kSection, 0, 0});
+        requireCapacity(from, {(layers + 4) * kSection, (layers + 1) * kSection, 0, 0});
         cells = static_cast<int>(layers);
         const auto h = static_cast<float>(spacing);
         // One layer of air or wall is before the surface.
@@ -34,7 +34,7 @@ struct Column {
         }
         HeatSettings settings;
         settings.ambient = wall > 0 ? std::min(wall, initial) : initial; // no heat is lost; steps fit all from here up
-        bench = std::make_unique<HeatBench>(shaders, lattice, material, seeds, settings);
+        bench = std::make_unique<HeatRig>(shaders, lattice, material, seeds, settings);
         requireSteps(from, from.time / bench->solver.longestStep(std::max(wall, initial)));
     }
 
@@ -93,7 +93,7 @@ struct Column {
     double spacing;
     int cells = 0;
     double wallTemperature;
-    std::unique_ptr<HeatBench> bench;
+    std::unique_ptr<HeatRig> bench;
 };
 
 /// Returns the depth that the heat reaches, with room to spare.

@@ -68,7 +68,7 @@ void runEnergy(const ValidationCase& from, gl::ShaderLibrary& shaders, Validatio
     const double cell = std::pow(from.spacing, 3);
     const double plateCount = static_cast<double>(seam.length * kThickness * kSide) / cell;
     const double wireCount = equipmentOf(seam.process).wireRate() * seam.on / cell;
-    requireRoom(from, {4 * plateCount, plateCount + wireCount, plateCount + wireCount, 4 * plateCount});
+    requireCapacity(from, {4 * plateCount, plateCount + wireCount, plateCount + wireCount, 4 * plateCount});
     const Workpiece plate = casePlate(from, seam.length, kThickness, kSide, kAmbient);
     Weld weld(shaders, from.material, plate, seam.process, surroundings(from, wireCount));
     const double before = weld.metal().state().readEnergy();

@@ -53,13 +53,13 @@ void checkDrop(const ValidationCase& from) {
     requireSpacings(from, "radius_mm", radiusOf(from), 2);
     const double radius = radiusOf(from) / from.spacing;
     const double count = 4.2 * std::pow(radius, 3);
-    requireRoom(from, {0, count, count, std::pow(4 * radius, 3)});
+    requireCapacity(from, {0, count, count, std::pow(4 * radius, 3)});
 }
 
 /// Checks a slab that repeats every eight spacings, with walls of three layers; its extent in the other two in m.
 void checkSlab(const ValidationCase& from, double length, double height) {
     const double count = (length / from.spacing + 6) * (height / from.spacing + 12) * 8;
-    requireRoom(from, {0, count, count, count});
+    requireCapacity(from, {0, count, count, count});
 }
 
 /// Friction between the dam's floor and the water. It is finer than the particles and does not depend on them, like the
@@ -102,7 +102,7 @@ void runSessileDrop(const ValidationCase& from, gl::ShaderLibrary& shaders, Vali
     requireSpacings(from, "volume_mm3, as the edge of a cube", std::cbrt(volume), 4);
     // Edge of the wall, twice the spread of the drop.
     const double edge = 1.7 * 2 * std::cbrt(volume) / from.spacing + 12;
-    requireRoom(from, {0, 4 * edge * edge, 4 * edge * edge, edge * edge * edge});
+    requireCapacity(from, {0, 4 * edge * edge, 4 * edge * edge, edge * edge * edge});
     checkSteps(from, fluid);
     const SessileDrop drop = sessileDrop(shaders, fluid, volume, kGravity, from.time);
     tellRun(result, drop);

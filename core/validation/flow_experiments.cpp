@@ -13,13 +13,13 @@ namespace {
 
 constexpr double kFrame = 1.0 / 90;
 
-void tellRun(FlowRun& run, const FlowBench& bench) {
+void tellRun(FlowRun& run, const FlowRig& bench) {
     run.particles = bench.liquid.size();
     run.steps = bench.steps;
     run.faults = bench.flow.readFaults();
 }
 
-double rmsSpeed(const FlowBench& bench) {
+double rmsSpeed(const FlowRig& bench) {
     double sum = 0;
     const auto velocities = bench.readVelocities();
     for (const glm::dvec3& velocity : velocities)
@@ -75,7 +75,7 @@ double elongation(const std::vector<glm::dvec3>& places, int axis) {
 
 DropletPressure pressureOf(gl::ShaderLibrary& shaders, const FlowFluid& fluid, double radius, double seconds,
                            std::span<const MetalSeed> seeds) {
-    FlowBench bench(shaders, fluid, spaceAround(radius), glm::vec3(0), seeds);
+    FlowRig bench(shaders, fluid, spaceAround(radius), glm::vec3(0), seeds);
     DropletPressure result;
     // The inner part is beyond the surface's own layer, in which tension pulls; at least half the radius.
     const double inner = std::max(radius / 2, radius - bench.flow.constants().support);
@@ -115,7 +115,7 @@ DropletOscillation oscillationOf(gl::ShaderLibrary& shaders, const FlowFluid& fl
     const double interval = step * std::max(1.0, std::round(1 / (30 * expected * step))); // some 30 samples a period
     const double restTime = interval * std::ceil(kRest / (expected * interval));
     const double watched = interval * std::ceil(std::max(seconds, kWatchedAtLeast / expected) / interval);
-    FlowBench rest(shaders, fluid, spaceAround(radius), glm::vec3(0), seeds);
+    FlowRig rest(shaders, fluid, spaceAround(radius), glm::vec3(0), seeds);
     rest.run(restTime, interval);
     DropletOscillation result;
     // The particles of a drop have some order, which makes it stiffer along one axis than along another.
@@ -125,7 +125,7 @@ DropletOscillation oscillationOf(gl::ShaderLibrary& shaders, const FlowFluid& fl
         std::vector<MetalSeed> stretched;
         for (const glm::dvec3& place : rest.readPositions())
             stretched.push_back(liquidSeed(glm::vec3(place * stretch)));
-        FlowBench bench(shaders, fluid, spaceAround(radius), glm::vec3(0), stretched);
+        FlowRig bench(shaders, fluid, spaceAround(radius), glm::vec3(0), stretched);
         std::vector<double> samples{elongation(bench.readPositions(), axis)};
         bench.run(watched, interval, [&](double) { samples.push_back(elongation(bench.readPositions(), axis)); });
         const DampedFit fit = fitDamped(samples, interval, 0.5 * expected, 1.5 * expected);
@@ -185,7 +185,7 @@ SessileDrop sessileDrop(gl::ShaderLibrary& shaders, const FlowFluid& fluid, doub
     addBlock(seeds, glm::vec3(-edge, -3 * dx, -edge), glm::vec3(edge, 0, edge), dx, false);
     seeds.insert(seeds.end(), drop.begin(), drop.end());
     const FlowSpace space{glm::vec3(-edge, -3 * dx, -edge), glm::vec3(edge, 2 * layers * dx + 4 * dx, edge)};
-    FlowBench bench(shaders, fluid, space, glm::vec3(0, -gravity, 0), seeds);
+    FlowRig bench(shaders, fluid, space, glm::vec3(0, -gravity, 0), seeds);
     SessileDrop result;
     double samples = 0;
     bench.run(seconds, kFrame, [&](double time) {

@@ -1,7 +1,7 @@
 // Experiments of the flow with a known outcome; SI units. The validation cases and the tests run them.
 #pragma once
 
-#include "core/validation/flow_bench.hpp"
+#include "core/validation/flow_rig.hpp"
 
 namespace meltpool {
 

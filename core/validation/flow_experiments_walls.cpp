@@ -13,7 +13,7 @@ namespace {
 constexpr double kFrame = 1.0 / 90;
 constexpr double kWall = 3; // layers of particles, more than a support
 
-void tellRun(FlowRun& run, const FlowBench& bench) {
+void tellRun(FlowRun& run, const FlowRig& bench) {
     run.particles = bench.liquid.size();
     run.steps = bench.steps;
     run.faults = bench.flow.readFaults();
@@ -31,7 +31,7 @@ HydrostaticColumn hydrostaticColumn(gl::ShaderLibrary& shaders, const FlowFluid&
     addBlock(seeds, glm::vec3(0), glm::vec3(wide, layers * dx, wide), dx, true);
     FlowSpace space{glm::vec3(0, -kWall * dx, 0), glm::vec3(wide, (layers + 6) * dx, wide)};
     space.repeats = glm::bvec3(true, false, true);
-    FlowBench bench(shaders, fluid, space, glm::vec3(0, -gravity, 0), seeds);
+    FlowRig bench(shaders, fluid, space, glm::vec3(0, -gravity, 0), seeds);
     HydrostaticColumn result;
     // Under the surface particles are in layers, five or so, whose pressures differ by the effect of the tension.
     const double lowest = dx, highest = (layers - 5.5) * dx;
@@ -74,7 +74,7 @@ DamBreak damBreak(gl::ShaderLibrary& shaders, const FlowFluid& fluid, double wid
     addBlock(seeds, glm::vec3(0), glm::vec3(columns * dx, 2 * columns * dx, deep), dx, true);
     FlowSpace space{glm::vec3(-kWall * dx, -kWall * dx, 0), glm::vec3(length, (2 * columns + 6) * dx, deep)};
     space.repeats = glm::bvec3(false, false, true);
-    FlowBench bench(shaders, fluid, space, glm::vec3(0, -gravity, 0), seeds);
+    FlowRig bench(shaders, fluid, space, glm::vec3(0, -gravity, 0), seeds);
     DamBreak result;
     for (const double time : times) {
         bench.run(time - bench.time, kFrame);
@@ -100,7 +100,7 @@ PlateFlow plateFlow(gl::ShaderLibrary& shaders, const FlowFluid& fluid, double g
     FlowSpace space{glm::vec3(0, -kWall * dx, 0), glm::vec3(wide, (layers + kWall) * dx, wide)};
     space.repeats = glm::bvec3(true, false, true);
     space.acceleration = glm::vec3(bodyForce / fluid.density, 0, 0);
-    FlowBench bench(shaders, fluid, space, glm::vec3(0), seeds);
+    FlowRig bench(shaders, fluid, space, glm::vec3(0), seeds);
     bench.run(seconds, kFrame);
     PlateFlow result;
     const auto places = bench.readPositions();

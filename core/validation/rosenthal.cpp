@@ -1,7 +1,7 @@
 // A source that moves along a plate, compared with Rosenthal's point and line sources once it has settled.
 #include "core/validation/case_size.hpp"
 #include "core/validation/exact_solutions.hpp"
-#include "core/validation/heat_bench.hpp"
+#include "core/validation/heat_rig.hpp"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -170,11 +170,11 @@ void runRosenthal(const ValidationCase& from, gl::ShaderLibrary& shaders, Valida
     const glm::vec3 high(metres(p.travel + p.ahead), 0, side);
     const MetalLattice lattice = MetalLattice::covering(low, high, h);
     const auto cells = static_cast<double>(lattice.cellCount());
-    requireRoom(from, {cells, cells, 0, 0});
+    requireCapacity(from, {cells, cells, 0, 0});
     const auto seeds = latticeSeeds(lattice, low, high, metres(p.source.ambient));
     HeatSettings settings;
     settings.ambient = p.source.ambient;
-    HeatBench bench(shaders, lattice, material, seeds, settings);
+    HeatRig bench(shaders, lattice, material, seeds, settings);
     requireSteps(from, p.time / bench.solver.longestStep(p.source.ambient + 1));
     // A thin plate is the best-fitting number of layers; each takes the power of a layer of its depth in the true
     // plate.

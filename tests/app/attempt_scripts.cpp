@@ -197,7 +197,7 @@ class Person {
     void goBack() {
         REQUIRE(session_.redoes());
         session_.redo(controls_);
-        CHECK(session_.log().moments().redone() == 1);
+        CHECK(session_.log().redo().redone() == 1);
     }
 
     void leadByMouse(double time) {

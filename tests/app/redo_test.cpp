@@ -66,14 +66,14 @@ TEST_CASE("an attempt goes back three seconds and on to another end, which its r
         CHECK_FALSE(welder.session.redoes());
         welder.weld(200);
         REQUIRE(welder.session.redoes());
-        CHECK(welder.session.log().moments().redone() == 0);
+        CHECK(welder.session.log().redo().redone() == 0);
         const double before = welder.session.run().torch().time;
         const size_t steps = welder.session.run().steps();
         welder.controls.update({}, 1.0 / 45); // opens the lock at the lesson's start
         welder.session.redo(welder.controls);
         REQUIRE(welder.session.run().steps() < steps);
         CHECK(welder.session.run().torch().time <= before - Redo::kBack + 1e-6);
-        CHECK(welder.session.log().moments().redone() == 1);
+        CHECK(welder.session.log().redo().redone() == 1);
         CHECK(welder.controls.triggerLock().locked());
         CHECK(welder.controls.triggerLock().reason() == ArcOut::redone);
         welder.weld(30);
@@ -96,11 +96,11 @@ TEST_CASE("one goes back before a fault by its place, and another attempt knows 
     welder.weld(200);
     CHECK_FALSE(firstTimeAt(Technique(seamOf(test::plainBead().workpiece)), 0));
     REQUIRE(welder.session.redoes());
-    welder.session.log().moments().choose(-0.002); // torch position after 2 s
+    welder.session.log().redo().choose(-0.002); // torch position after 2 s
     welder.session.redo(welder.controls);
     CHECK(welder.session.run().torch().time < 1.2);
     welder.session.reset(welder.controls);
-    CHECK(welder.session.log().moments().redone() == 0);
+    CHECK(welder.session.log().redo().redone() == 0);
     CHECK_FALSE(welder.session.redoes());
     welder.session.redo(welder.controls);
     CHECK(welder.session.run().steps() == 0);
@@ -114,12 +114,12 @@ TEST_CASE("an attempt that goes back ten times from the same place takes no more
     for (int i = 0; i < 10; ++i) {
         welder.weld(30);
         REQUIRE(welder.session.redoes());
-        welder.session.log().moments().choose(-0.0078);
+        welder.session.log().redo().choose(-0.0078);
         welder.session.redo(welder.controls);
-        CHECK(welder.session.log().moments().redone() == static_cast<size_t>(i) + 1);
-        if (i == 1) first = welder.session.log().moments().bytes();
+        CHECK(welder.session.log().redo().redone() == static_cast<size_t>(i) + 1);
+        if (i == 1) first = welder.session.log().redo().bytes();
     }
-    CHECK(welder.session.log().moments().bytes() < first + first / 4);
+    CHECK(welder.session.log().redo().bytes() < first + first / 4);
 }
 
 TEST_CASE("a record that goes back where it cannot is refused with its line", "[app]") {

@@ -1,13 +1,13 @@
 // Checkpoints in a session's recordings: a replay seeks them at once, reaches the bits of a replay without them,
 // refuses those of another program or driver, and repeats the last branch of an attempt that went back.
-#include "app/activities/moments_of_attempt.hpp"
+#include "app/activities/file_checkpoints.hpp"
 #include "app/activities/replay_end.hpp"
 #include "app/library/best_kept.hpp"
 #include "app/library/kept_attempts.hpp"
 #include "app/platform/program_info.hpp"
 #include "app/session/lesson_session.hpp"
 #include "core/base/text.hpp"
-#include "core/training/attempt/checkpoint_pace.hpp"
+#include "core/training/attempt/checkpoint_schedule.hpp"
 #include "core/training/attempt/recording_reader.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/small_lessons.hpp"
@@ -122,18 +122,18 @@ void seekByCommand(const fs::path& file, const Recording& recording) {
 
 void refuseForeignMoments(const fs::path& file) {
     const Lesson lesson = attemptIn(file);
-    CHECK(momentsOfAttempt(lesson, thisMachine()).moments);
-    CHECK(momentsOfAttempt(lesson, thisMachine()).refused.empty());
+    CHECK(fileCheckpoints(lesson, thisMachine()).moments);
+    CHECK(fileCheckpoints(lesson, thisMachine()).refused.empty());
     ReplayMachine other = thisMachine();
     other.program += "x";
-    CHECK_FALSE(momentsOfAttempt(lesson, other).moments);
-    CHECK_THAT(momentsOfAttempt(lesson, other).refused, containsText("another version, " + programBuild()));
+    CHECK_FALSE(fileCheckpoints(lesson, other).moments);
+    CHECK_THAT(fileCheckpoints(lesson, other).refused, containsText("another version, " + programBuild()));
     other = thisMachine();
     other.driver += "x";
-    CHECK_THAT(momentsOfAttempt(lesson, other).refused, containsText("another driver"));
+    CHECK_THAT(fileCheckpoints(lesson, other).refused, containsText("another driver"));
     Lesson changed = lesson;
     changed.recorded->head.lessonHash = "0123456789abcdef";
-    CHECK_THAT(momentsOfAttempt(changed, thisMachine()).refused, containsText("version of its lesson"));
+    CHECK_THAT(fileCheckpoints(changed, thisMachine()).refused, containsText("version of its lesson"));
 }
 
 void makePageOfHand(const fs::path& file) {
@@ -159,7 +159,7 @@ TEST_CASE("a replay goes to the moments that its recording holds, and to the sam
     const double seconds = recording.seconds();
     constexpr double kSteps = 16e3; // bytes a second, and some for the head
     CHECK(static_cast<double>(fs::file_size(file) - recording.checkpoints[0].size) <
-          CheckpointPace::kAtOnce + (CheckpointPace::kBytesPerSecond + kSteps) * seconds + 1e5);
+          CheckpointSchedule::kAtOnce + (CheckpointSchedule::kBytesPerSecond + kSteps) * seconds + 1e5);
 
     seekInWindow(file, recording);
     seekByCommand(file, recording);
@@ -173,7 +173,7 @@ TEST_CASE("the recording of an attempt that went back repeats its last end and i
     welder.weld(200);
     REQUIRE(welder.session.redoes());
     welder.session.redo(welder.controls);
-    REQUIRE(welder.session.log().moments().redone() == 1);
+    REQUIRE(welder.session.log().redo().redone() == 1);
     welder.weld(80);
     const fs::path file = welder.end();
     const Lesson lesson = attemptIn(file);
@@ -183,7 +183,7 @@ TEST_CASE("the recording of an attempt that went back repeats its last end and i
     for (size_t i = 0; i < lesson.recorded->rows; ++i)
         trainer.advanceDemonstration(nullptr);
     CHECK(formatHexadecimal(trainer.result().stateHash) == lesson.recorded->stateHash);
-    const MomentsOfAttempt recorded = momentsOfAttempt(lesson, thisMachine());
+    const FileCheckpoints recorded = fileCheckpoints(lesson, thisMachine());
     REQUIRE(recorded.moments);
     const auto moment = recorded.moments->before(lesson.torch.duration());
     REQUIRE(moment);

@@ -223,7 +223,7 @@ Answer readCheckFile(const fs::path& file) {
     require(!check.expectations.empty(), "a check expects nothing");
     require(check.lesson.model == LessonModel::Weld, "a check is of no weld");
     const Seam seam = seamOf(check.lesson.workpiece);
-    const BentPath path(check.lesson.torch, seam, check.bend);
+    const PerturbedPath path(check.lesson.torch, seam, check.bend);
     for (int i = 0; i <= 20; ++i) {
         const TorchSample s = path.sample(check.lesson.torch.duration() * check.bend.time * i / 20);
         require(std::isfinite(s.tip.x + s.tip.y + s.tip.z), "a bent path's place is not finite");

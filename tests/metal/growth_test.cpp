@@ -47,13 +47,13 @@ void weld(PhysicalMetal& metal, int from, int to) {
 }
 
 std::vector<std::byte> saved(PhysicalMetal& metal) {
-    metal.fold();
+    metal.xorOutDerivedState();
     gl::StateCapture capture;
     gl::StateArchive saving(capture.begin());
     metal.transfer(saving);
     capture.request();
     capture.wait();
-    metal.fold();
+    metal.xorOutDerivedState();
     std::vector<std::byte> bytes;
     std::vector<gl::StatePart> parts;
     capture.assemble(bytes, parts);
@@ -64,7 +64,7 @@ void restore(PhysicalMetal& metal, const std::vector<std::byte>& bytes) {
     gl::StateArchive restoring{std::span<const std::byte>(bytes)};
     metal.transfer(restoring);
     CHECK(restoring.atEnd());
-    metal.fold();
+    metal.xorOutDerivedState();
 }
 
 } // namespace

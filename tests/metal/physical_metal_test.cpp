@@ -93,12 +93,12 @@ TEST_CASE("a folded state holds no temperatures of its own and is unfolded to th
     const auto unfolded = places();
     REQUIRE(std::all_of(unfolded.begin(), unfolded.end(), [](const vec4& place) { return place.w > 290; }));
 
-    metal.fold();
+    metal.xorOutDerivedState();
     const auto folded = places();
     CHECK(metal.stateHash() != before);
     CHECK(std::count_if(folded.begin(), folded.end(), [](const vec4& place) { return place.w == 0; }) ==
           std::ptrdiff_t(folded.size()));
-    metal.fold();
+    metal.xorOutDerivedState();
     CHECK(metal.stateHash() == before);
     weld(metal, filler);
     weld(twin, twinFiller);

@@ -3,7 +3,7 @@
 #include "core/render/camera.hpp"
 #include "core/render/picture_target.hpp"
 #include "core/render/renderer.hpp"
-#include "core/render/room_painter.hpp"
+#include "core/render/workshop_painter.hpp"
 #include "shaders/shared/render.h"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"

@@ -204,7 +204,7 @@ TEST_CASE("a bead's ripples look the same in each eye") {
     checkAllWays("ripples", weld.rippledView(), look, eyes);
     PictureTarget rippled(kSize, kSize, kSamples), plain(kSize, kSize, kSamples);
     rendererBy(ViewSubmission::passes).draw(weld.rippledView(), look, {&eyes[0], 1}, rippled.target(), nullptr);
-    look.leftOut = bitOf(Measure::ripples);
+    look.leftOut = bitOf(DetailFeature::ripples);
     rendererBy(ViewSubmission::passes).draw(weld.rippledView(), look, {&eyes[0], 1}, plain.target(), nullptr);
     CHECK(compareImages(rippled.read(), plain.read(), 8).farPixels > 0.02); // ripples are visible
     CHECK(test::matchesGolden("render/ripples", rippled.read()));

@@ -1,11 +1,11 @@
 // The finer torch and the hands: they follow the pose, remain behind the cylinders that shadow and reflection use, and
 // leave the pool visible.
 #include "core/render/frame_block.hpp"
-#include "core/render/sight.hpp"
+#include "core/render/line_of_sight.hpp"
 #include "core/render/solid_meshes.hpp"
-#include "core/scene/bench_things.hpp"
 #include "core/scene/torch_fittings.hpp"
 #include "core/scene/torch_model.hpp"
+#include "core/scene/workshop_furniture.hpp"
 #include "core/weld/torch/torch_moves.hpp"
 #include "tests/support/catch.hpp"
 

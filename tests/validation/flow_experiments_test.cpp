@@ -112,7 +112,7 @@ TEST_CASE("a pool 10 mm deep comes to rest in a box") {
         if (!inside) seeds.push_back(seed);
     }
     addBlock(seeds, glm::vec3(0), glm::vec3(10 * dx), steel.spacing, true);
-    FlowBench bench(test::shaders(), steel, {low, high}, glm::vec3(0, -9.81F, 0), seeds);
+    FlowRig bench(test::shaders(), steel, {low, high}, glm::vec3(0, -9.81F, 0), seeds);
     bench.run(1.6, 1.0 / 90);
     double sum = 0;
     const auto velocities = bench.readVelocities();

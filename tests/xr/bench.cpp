@@ -19,7 +19,7 @@ namespace {
 
 std::string fromBench(const char* variable) {
     const char* value = std::getenv(variable);
-    if (value == nullptr) throw RuntimeFault("this test runs under tests/xr/bench.sh only");
+    if (value == nullptr) throw RuntimeFault("this test runs under tests/xr/run_on_monado.sh only");
     return value;
 }
 

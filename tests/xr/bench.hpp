@@ -13,8 +13,8 @@ struct GLFWwindow;
 
 namespace meltpool::test {
 
-/// Returns the run's folder from tests/xr/bench.sh, and its port; throws RuntimeFault if the program was started
-/// without it.
+/// Returns the run's folder from tests/xr/run_on_monado.sh, and its port; throws RuntimeFault if the program was
+/// started without it.
 std::filesystem::path benchFolder();
 int benchPort();
 /// Returns the runtime's process.

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the program's file and arguments, preceded by the launcher that tests/xr/bench.sh requests.
+/// Returns the program's file and arguments, preceded by the launcher that tests/xr/run_on_monado.sh requests.
 std::vector<std::string> launched(const fs::path& program, const std::vector<std::string>& arguments) {
     std::vector<std::string> words;
     if (const char* launch = std::getenv("MELTPOOL_XR_LAUNCH"))

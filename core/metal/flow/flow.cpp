@@ -116,7 +116,7 @@ Flow::Flow(gl::ShaderLibrary& shaders, MetalState& state, const FlowFluid& fluid
       boundary_(shaders.compute("metal/flow/boundary.comp", definesOf(space))),
       density_(shaders.compute("metal/flow/density.comp", definesOf(space))),
       move_(shaders.compute("metal/flow/move.comp", definesOf(fluid, space))),
-      fold_(shaders.compute("metal/flow/fold.comp", definesOf(space))),
+      xorOutDerived_(shaders.compute("metal/flow/xor_out_derived.comp", definesOf(space))),
       blockBuffer_("flow block", sizeof(FlowBlock)),
       particles_(gl::Buffer::gpuOnly("flow particles", state.capacity() * sizeof(FlowParticle))),
       cells_(gl::Buffer::gpuOnly("flow cells", block_.cellCount * sizeof(FlowCell))),
@@ -134,7 +134,7 @@ void Flow::makeTexels() {
     particleTexels_ = gl::BufferView("flow particle texels", particles_, GL_RGBA32F, sizeof(vec4));
 }
 
-void Flow::takeCapacity() {
+void Flow::onCapacityChanged() {
     const auto before = static_cast<size_t>(block_.capacity);
     const size_t capacity = state_.capacity();
     particles_.resize(capacity * sizeof(FlowParticle));
@@ -178,7 +178,7 @@ void Flow::reset() {
 }
 
 /// `waits`: reads the present use, instead of that of some steps ago.
-void Flow::makeRoom(bool waits) {
+void Flow::growLists(bool waits) {
     if (known_ == 0) room_.start(state_, block_);
     if (waits) room_.readNow(state_.particles(), counters_);
     room_.update(state_.particles(), counters_);
@@ -239,7 +239,7 @@ void Flow::step(double seconds, unsigned substeps, gl::Profiler* profiler) {
         blockChanged_ = true;
     }
     for (unsigned done = 0; done < substeps; ++done) {
-        if (done % kSubstepsInRoom == 0) makeRoom(done > 0);
+        if (done % kSubstepsInRoom == 0) growLists(done > 0);
         if (done == 0) updateGroups(profiler);
         substep(profiler);
     }

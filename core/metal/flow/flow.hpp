@@ -5,8 +5,8 @@
 #include "core/gl/profiler.hpp"
 #include "core/gl/program.hpp"
 #include "core/metal/flow/arc_pressure.hpp"
+#include "core/metal/flow/flow_capacity.hpp"
 #include "core/metal/flow/flow_constants.hpp"
-#include "core/metal/flow/flow_room.hpp"
 #include "core/metal/flow/flow_tables.hpp"
 
 namespace meltpool {
@@ -35,7 +35,7 @@ class Flow {
     /// Returns to the initial state without allocating; call it after the state was reset and refilled.
     void reset();
     /// Adapts to the state's new capacity. Waits for the GPU. Throws RuntimeFault if the driver has no memory.
-    void takeCapacity();
+    void onCapacityChanged();
 
     /// Moves all liquid on by `seconds` in as many equal substeps as stability needs. First finds the slots that
     /// melted, froze or are new.
@@ -45,8 +45,8 @@ class Flow {
 
     /// Saves or restores all that the next step reads; transfer the state first. Waits for the GPU when restoring.
     void transfer(gl::StateArchive& archive);
-    /// Applies PhysicalMetal::fold() to the flow's copies of places and velocities.
-    void fold();
+    /// Applies PhysicalMetal::xorOutDerivedState() to the flow's copies of places and velocities.
+    void xorOutDerivedState();
 
     void setAcceleration(glm::vec3 acceleration); ///< body force over density besides gravity, m/s²
 
@@ -61,7 +61,7 @@ class Flow {
     size_t bytes() const;
 
   private:
-    void makeRoom(bool waits);
+    void growLists(bool waits);
     void takeSavedRoom();
     void makeTexels();
     void moveLists(size_t before);
@@ -85,8 +85,8 @@ class Flow {
     const gl::Program& boundary_;
     const gl::Program& density_;
     const gl::Program& move_;
-    const gl::Program& fold_;
-    FlowRoom room_;
+    const gl::Program& xorOutDerived_;
+    FlowCapacity room_;
     FlowTables tables_;
     gl::Buffer blockBuffer_, particles_, cells_, nextInCell_, lists_, counters_, changed_, wallSums_;
     gl::BufferView positionTexels_, particleTexels_, cellTexels_;

@@ -14,7 +14,7 @@ constexpr size_t kPageBytes = FLOW_PAGE_WORDS * sizeof(uint);
 
 /// Greatest number of pages of moving metal: each liquid particle may be alone in its cell, and fragments take the
 /// place of wall metal. Liquid takes half the rows at most, as long as there can be more.
-size_t movingPages(const FlowRoom& room, const FlowBlock& block) {
+size_t movingPages(const FlowCapacity& room, const FlowBlock& block) {
     const auto slots = static_cast<size_t>(block.capacity);
     const size_t liquids = room.rows() < slots ? room.rows() / 2 : slots;
     return std::min<size_t>(block.cellCount, liquids + room.wallPages());
@@ -22,12 +22,12 @@ size_t movingPages(const FlowRoom& room, const FlowBlock& block) {
 
 } // namespace
 
-bool FlowTables::fits(const FlowRoom& room, const FlowBlock& block) {
+bool FlowTables::fits(const FlowCapacity& room, const FlowBlock& block) {
     return room.rows() == block.rowCapacity && 1 + room.wallPages() == block.wallPageCapacity &&
            1 + movingPages(room, block) == block.movingPageCapacity;
 }
 
-void FlowTables::fit(const FlowRoom& room, FlowBlock& block) {
+void FlowTables::fit(const FlowCapacity& room, FlowBlock& block) {
     if (room.rows() != block.rowCapacity) growNeighbourLists(room.rows(), block);
     if (!fits(room, block)) growPages(1 + room.wallPages(), 1 + movingPages(room, block), block);
 }

@@ -4,19 +4,19 @@
 #include "core/gl/buffer.hpp"
 #include "core/gl/buffer_view.hpp"
 #include "core/gl/state_archive.hpp"
-#include "core/metal/flow/flow_room.hpp"
+#include "core/metal/flow/flow_capacity.hpp"
 
 namespace meltpool {
 
-/// Buffers of the sizes that FlowRoom asks for. The flow's block stores the sizes, from which the places of their parts
-/// follow.
+/// Buffers of the sizes that FlowCapacity asks for. The flow's block stores the sizes, from which the places of their
+/// parts follow.
 class FlowTables {
   public:
     /// True if the sizes in `block` match those of `room`.
-    static bool fits(const FlowRoom& room, const FlowBlock& block);
+    static bool fits(const FlowCapacity& room, const FlowBlock& block);
     /// Resizes the tables to `room`, with the content that holds between two steps, and writes their sizes into
     /// `block`. Throws RuntimeFault if the driver has no memory.
-    void fit(const FlowRoom& room, FlowBlock& block);
+    void fit(const FlowCapacity& room, FlowBlock& block);
     /// Makes empty tables of the sizes in `block`; none if there was no step.
     void makeAs(const FlowBlock& block);
     void clear() const;

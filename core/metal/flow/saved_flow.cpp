@@ -32,11 +32,11 @@ void Flow::transfer(gl::StateArchive& archive) {
     if (known_ > 0) room_.readNow(state_.particles(), counters_);
 }
 
-void Flow::fold() {
+void Flow::xorOutDerivedState() {
     if (block_.rowCapacity == 0) return; // no step so far
     bind();
-    fold_.set("slots", static_cast<unsigned>(state_.particles()));
-    fold_.dispatch(state_.particles() + block_.cellCount, GROUP_SIZE);
+    xorOutDerived_.set("slots", static_cast<unsigned>(state_.particles()));
+    xorOutDerived_.dispatch(state_.particles() + block_.cellCount, GROUP_SIZE);
 }
 
 } // namespace meltpool

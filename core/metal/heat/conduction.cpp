@@ -22,10 +22,10 @@ Conduction::Conduction(gl::ShaderLibrary& shaders, const gl::Defines& defines, s
       hasLedger_(ledger),
       deposit_(shaders.compute("metal/heat/deposit.comp")),
       averageCells_(shaders.compute("metal/heat/average_cells.comp")),
-      conductUnreached_(shaders.compute("metal/heat/conduct_mixed.comp", defines)),
-      conductReached_(shaders.compute("metal/heat/conduct_mixed.comp", withSources(defines))),
+      conductUnreached_(shaders.compute("metal/heat/conduct_off_lattice.comp", defines)),
+      conductReached_(shaders.compute("metal/heat/conduct_off_lattice.comp", withSources(defines))),
       advanceOffLattice_(shaders.compute("metal/heat/advance_off_lattice.comp", defines)),
-      conductPlain_(shaders.compute("metal/heat/conduct_plain.comp", defines)),
+      conductLattice_(shaders.compute("metal/heat/conduct_lattice.comp", defines)),
       advanceMixed_(shaders.compute("metal/heat/advance_mixed.comp", defines)),
       table_("heat table", HEAT_TABLE_ENTRIES * sizeof(vec4)),
       cellTheta_(gl::Buffer::gpuOnly("heat cell theta", 2 * cells * sizeof(float))),
@@ -101,7 +101,7 @@ void Conduction::advanceOffLattice() const {
 /// The plain tiles come first: they read values that the mixed ones change.
 void Conduction::advanceLattice() const {
     // Cell theta -> enthalpy, theta in the other half.
-    conductPlain_.dispatchIndirect(offsetof(HeatControl, plainRows));
+    conductLattice_.dispatchIndirect(offsetof(HeatControl, plainRows));
     storageBarrier();
     // Cell power, area -> enthalpy of the lattice, cell theta; cell sums cleared.
     advanceMixed_.dispatchIndirect(offsetof(HeatControl, mixedRows));

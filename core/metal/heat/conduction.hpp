@@ -54,7 +54,7 @@ class Conduction {
     size_t cells_; ///< cells of the lattice
     bool hasLedger_;
     const gl::Program &deposit_, &averageCells_, &conductUnreached_, &conductReached_, &advanceOffLattice_,
-        &conductPlain_, &advanceMixed_;
+        &conductLattice_, &advanceMixed_;
     gl::Buffer table_, cellTheta_, cellWeight_, cellSums_, cellRanges_, ledger_;
     gl::BufferView tableTexels_, thetaTexels_, weightTexels_, thetaRowTexels_;
 };

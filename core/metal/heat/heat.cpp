@@ -33,7 +33,7 @@ gl::Defines definesOf(const HeatSettings& settings, const Material& material) {
     gl::Defines defines;
     if (settings.ledger) defines["LEDGER"] = "1";
     if (settings.evaporation && material.boilingPoint > 0) defines["EVAPORATION"] = "1";
-    if (settings.ledStirring) defines["LED_STIRRING"] = "1";
+    if (settings.directedMixing) defines["DIRECTED_MIXING"] = "1";
     return defines;
 }
 
@@ -49,7 +49,7 @@ HeatSolver::HeatSolver(gl::ShaderLibrary& shaders, MetalState& state, const Mate
       conduction_(shaders, definesOf(settings, material), state.lattice().cellCount(), state.capacity(),
                   settings.ledger),
       refresh_(shaders.compute("metal/heat/refresh.comp")),
-      fold_(shaders.compute("metal/heat/fold.comp")),
+      xorOutDerived_(shaders.compute("metal/heat/xor_out_derived.comp")),
       blockBuffer_("heat block", sizeof(HeatBlock)) {
     makeTexels();
     begin();
@@ -59,7 +59,7 @@ void HeatSolver::begin() {
     block_ = {};
     time_ = 0;
     regroupings_ = 0;
-    takeTable();
+    onTableChanged();
     refresh();
 }
 
@@ -69,12 +69,12 @@ void HeatSolver::reset() {
     begin();
 }
 
-void HeatSolver::takeTable() {
+void HeatSolver::onTableChanged() {
     conduction_.setTable(state_.table(), block_);
     prepareBlock();
 }
 
-void HeatSolver::takeCapacity() {
+void HeatSolver::onCapacityChanged() {
     tiles_.setSlots(state_.capacity());
     conduction_.setSlots(state_.capacity());
     texels_.clear();
@@ -205,12 +205,12 @@ void HeatSolver::transfer(gl::StateArchive& archive) {
     if (archive.restores()) blockBuffer_.writeValue(block_);
 }
 
-void HeatSolver::fold() {
+void HeatSolver::xorOutDerivedState() {
     const size_t cells = state_.lattice().cellCount();
     bind();
-    fold_.set("cells", static_cast<unsigned>(cells));
-    fold_.set("slots", static_cast<unsigned>(state_.particles()));
-    fold_.dispatch(cells + state_.particles(), GROUP_SIZE);
+    xorOutDerived_.set("cells", static_cast<unsigned>(cells));
+    xorOutDerived_.set("slots", static_cast<unsigned>(state_.particles()));
+    xorOutDerived_.dispatch(cells + state_.particles(), GROUP_SIZE);
 }
 
 size_t HeatSolver::bytes() const {

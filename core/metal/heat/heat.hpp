@@ -30,7 +30,7 @@ struct HeatSettings {
                              ///< and near it the errors of space and time cancel
     double wakingKelvin = 0.03; ///< difference between neighbours below which a tile sleeps
     bool ledger = false;        ///< books every joule in and out, for the balance
-    bool ledStirring = false;   ///< setStirringLess() may be called
+    bool directedMixing = false; ///< setStirringLess() may be called
     bool meltedLeaves = false;  ///< melted particles leave the lattice (with flow) or stay on it (heat alone)
 };
 
@@ -44,15 +44,15 @@ class HeatSolver {
     /// Returns to the initial state without allocating; call it after the state was reset and refilled.
     void reset();
     /// Reduces the liquid's conductivity along x, y and z by these shares of the table's value from the next step on,
-    /// each from 0 to below 1; metal that is not wholly liquid is unchanged. Expects HeatSettings::ledStirring. A reset
-    /// cancels it.
+    /// each from 0 to below 1; metal that is not wholly liquid is unchanged. Expects HeatSettings::directedMixing. A
+    /// reset cancels it.
     void setStirringLess(glm::vec3 shares) { block_.stirringLess = shares; }
 
     /// Adapts to the state's new capacity. Throws RuntimeFault if the driver has no memory.
-    void takeCapacity();
+    void onCapacityChanged();
 
     /// Adapts to the state's new table.
-    void takeTable();
+    void onTableChanged();
 
     /// Longest step for temperatures up to `hottest` (K): stepShare dx²/alpha, in s.
     double longestStep(double hottest) const;
@@ -72,8 +72,9 @@ class HeatSolver {
 
     /// Saves or restores all that the next step reads; transfer the state first.
     void transfer(gl::StateArchive& archive);
-    /// Applies PhysicalMetal::fold() to temperatures, peaks and Kirchhoff variables, which follow from the enthalpies.
-    void fold();
+    /// Applies PhysicalMetal::xorOutDerivedState() to temperatures, peaks and Kirchhoff variables, which follow from
+    /// the enthalpies.
+    void xorOutDerivedState();
 
     size_t bytes() const; ///< GPU memory of the solver itself
 
@@ -100,7 +101,7 @@ class HeatSolver {
     HeatTiles tiles_;
     SourceWeights sources_;
     Conduction conduction_;
-    const gl::Program &refresh_, &fold_;
+    const gl::Program &refresh_, &xorOutDerived_;
     gl::Buffer blockBuffer_;
     std::vector<Texels> texels_; ///< views of the state's buffers
 };

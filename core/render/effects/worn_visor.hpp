@@ -1,7 +1,7 @@
 // Visor and eye together, for window and headset alike: darkness of the picture, and the after-image of an arc.
 #pragma once
 
-#include "core/render/effects/eye.hpp"
+#include "core/render/effects/eye_adaptation.hpp"
 #include "core/render/effects/visor_filter.hpp"
 #include "core/render/look/look.hpp"
 
@@ -32,7 +32,7 @@ class WornVisor {
     void wear(const VisorSettings& visor, LookParameters& look) const;
 
     const VisorFilter& filter() const { return filter_; }
-    const Eye& eye() const { return eye_; }
+    const EyeAdaptation& eye() const { return eye_; }
     /// Returns a sentence about a look into the arc without enough of a filter; empty without a recent one. Valid until
     /// the next update().
     std::string_view sentence() const { return text_; }
@@ -41,7 +41,7 @@ class WornVisor {
     void tell();
 
     VisorFilter filter_;
-    Eye eye_;
+    EyeAdaptation eye_;
     bool worn_ = false; ///< a visor was on at the last look
     std::string text_;
 };

@@ -10,7 +10,7 @@ namespace meltpool {
 
 /// A part of a picture that a level may leave out. The cues of the pool's edge are none: emissivity that jumps at the
 /// melting point, and solid metal duller than liquid metal.
-enum class Measure : unsigned {
+enum class DetailFeature : unsigned {
     torchShadow,
     glare,
     roughLobes,
@@ -27,32 +27,34 @@ enum class Measure : unsigned {
 
 /// A row of the table of levels.
 struct MeasureRow {
-    Measure measure;
+    DetailFeature measure;
     PictureDetail from;        ///< the lowest level that has it
     std::string_view key;      ///< one word, for figures
     std::string_view sentence; ///< sentence about its visible effect
 };
 
-/// The table, in the order of Measure. `meltpool bench looks` prints the cost of each.
+/// The table, in the order of DetailFeature. `meltpool bench looks` prints the cost of each.
 constexpr std::array<MeasureRow, 12> kMeasures{{
-    {Measure::torchShadow, kMediumDetail, "torch_shadow", "the torch's shadow in the lamp's light"},
-    {Measure::glare, kMediumDetail, "glare", "the veil that an arc throws in the eye"},
-    {Measure::roughLobes, kHighDetail, "rough_lobes",
+    {DetailFeature::torchShadow, kMediumDetail, "torch_shadow", "the torch's shadow in the lamp's light"},
+    {DetailFeature::glare, kMediumDetail, "glare", "the veil that an arc throws in the eye"},
+    {DetailFeature::roughLobes, kHighDetail, "rough_lobes",
      "lamp, arc and room mirrored as rough metal does, and the light that roughness hides; without it Phong's lobes"},
-    {Measure::poolMirror, kHighDetail, "pool_mirror", "torch, filler and workpiece mirrored in the pool"},
-    {Measure::calmHighlights, kHighDetail, "calm_highlights",
+    {DetailFeature::poolMirror, kHighDetail, "pool_mirror", "torch, filler and workpiece mirrored in the pool"},
+    {DetailFeature::calmHighlights, kHighDetail, "calm_highlights",
      "highlights as wide as the normals within a pixel make them"},
-    {Measure::ripples, kHighDetail, "ripples", "lines of one freezing time in a bead; they need rough lobes"},
-    {Measure::spatter, kMediumDetail, "spatter", "drops that the arc throws, the wire's drops, and the beads that lie"},
-    {Measure::fume, kMediumDetail, "fume", "smoke that the arc lights, and puffs of it that rise"},
-    {Measure::room, kMediumDetail, "room", "a workshop with depth, and table, clamps and machine in it"},
-    {Measure::fittings, kHighDetail, "fittings", "torch and hands in their own form, with hose and cable"},
-    {Measure::millScale, kMediumDetail, "mill_scale", "rolled steel under its scale, ground bright along the seam"},
-    {Measure::floatingOxide, kHighDetail, "floating_oxide",
+    {DetailFeature::ripples, kHighDetail, "ripples", "lines of one freezing time in a bead; they need rough lobes"},
+    {DetailFeature::spatter, kMediumDetail, "spatter",
+     "drops that the arc throws, the wire's drops, and the beads that lie"},
+    {DetailFeature::fume, kMediumDetail, "fume", "smoke that the arc lights, and puffs of it that rise"},
+    {DetailFeature::room, kMediumDetail, "room", "a workshop with depth, and table, clamps and machine in it"},
+    {DetailFeature::fittings, kHighDetail, "fittings", "torch and hands in their own form, with hose and cable"},
+    {DetailFeature::millScale, kMediumDetail, "mill_scale",
+     "rolled steel under its scale, ground bright along the seam"},
+    {DetailFeature::floatingOxide, kHighDetail, "floating_oxide",
      "islands of oxide that drift with the pool; they need its mirror"},
 }};
 
-constexpr unsigned bitOf(Measure measure) {
+constexpr unsigned bitOf(DetailFeature measure) {
     return 1u << static_cast<unsigned>(measure);
 }
 
@@ -64,7 +66,7 @@ constexpr unsigned measuresOf(const LookParameters& look) {
     return bits & ~look.leftOut;
 }
 
-constexpr bool has(const LookParameters& look, Measure measure) {
+constexpr bool has(const LookParameters& look, DetailFeature measure) {
     return (measuresOf(look) & bitOf(measure)) != 0;
 }
 

@@ -75,8 +75,8 @@ void readExpectations(TomlTable& root, LessonCheck& check) {
     table.finish();
 }
 
-TorchBend readBend(TomlTable& root) {
-    TorchBend bend;
+PathPerturbation readBend(TomlTable& root) {
+    PathPerturbation bend;
     root.allow("bend");
     if (!root.has("bend")) return bend;
     TomlTable table = root.table("bend");

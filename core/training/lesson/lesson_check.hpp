@@ -4,7 +4,7 @@
 #include "core/base/toml_table.hpp"
 #include "core/training/judging/judgement.hpp"
 #include "core/training/lesson/lesson_folders.hpp"
-#include "core/training/lesson/torch_bend.hpp"
+#include "core/training/lesson/path_perturbation.hpp"
 
 #include <filesystem>
 #include <string>
@@ -24,7 +24,7 @@ struct LessonCheck {
     std::filesystem::path file;
     std::string name; ///< file name without its extension
     Lesson lesson;    ///< lesson with the check's torch path and values
-    TorchBend bend;
+    PathPerturbation bend;
     std::vector<Expectation> expectations; ///< sorted by key
 };
 
@@ -37,7 +37,7 @@ bool isLessonCheck(const std::filesystem::path& file);
 ///     torch = "slow.csv"         # instead of the lesson's own; in this folder. A record brings its attempt's values
 ///     [set]                      # values of the lesson
 ///     voltage = 22
-///     [bend]                     # worsens the path, see TorchBend
+///     [bend]                     # worsens the path, see PathPerturbation
 ///     time = 0.55
 ///     farther_mm = 7
 ///     turn_deg = 28

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/surface/surface.hpp"
-#include "core/training/feedback/sight.hpp"
+#include "core/training/feedback/arc_appearance.hpp"
 #include "core/training/trainer/tip_probe.hpp"
 #include "core/training/trainer/trainer.hpp"
 
@@ -60,7 +60,7 @@ class LessonScene : private StepWatcher {
     TipProbe probe_;
     bool metalExchanged_ = false; ///< true: the metal was replaced since the probe's request; the scene's thread then
                                   ///< drops the request
-    Sight sight_;
+    ArcAppearance sight_;
 };
 
 } // namespace meltpool

@@ -82,8 +82,8 @@ class MetalModel {
     /// Restoring drops the requested answers.
     virtual void transfer(gl::StateArchive& archive) = 0;
     /// Removes derivable values before the state is copied; a second call, and one after restoring, brings them back,
-    /// see PhysicalMetal::fold(). A no-op for models without derivable values.
-    virtual void fold() {}
+    /// see PhysicalMetal::xorOutDerivedState(). A no-op for models without derivable values.
+    virtual void xorOutDerivedState() {}
 
     /// Hash of the whole state; equal states have equal hashes. Waits for the GPU.
     virtual std::uint64_t stateHash() const = 0;

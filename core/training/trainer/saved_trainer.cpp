@@ -89,8 +89,8 @@ void Trainer::transfer(gl::StateArchive& archive) {
 }
 
 /// Two calls leave the particles unchanged.
-void Trainer::fold() {
-    metal_.run([](MetalModel& metal) { metal.fold(); });
+void Trainer::xorOutDerivedState() {
+    metal_.run([](MetalModel& metal) { metal.xorOutDerivedState(); });
 }
 
 void Trainer::capture(CheckpointCapture& capture, size_t historyFrom) const {
@@ -107,9 +107,9 @@ void Trainer::capture(CheckpointCapture& capture, size_t historyFrom) const {
     if (technique_) self.technique_->transferSteps(history, head.historyFrom, known);
     gl::StateArchive archive(capture.state());
     self.transfer(archive);
-    self.fold();
+    self.xorOutDerivedState();
     capture.request();
-    self.fold();
+    self.xorOutDerivedState();
 }
 
 Checkpoint Trainer::save(size_t historyFrom) const {
@@ -150,7 +150,7 @@ void Trainer::restore(const Checkpoint& checkpoint) {
     if (!archive.atEnd())
         throw InputError("the checkpoint of step " + std::to_string(checkpoint.step) +
                          " has more bytes than this lesson's state; expected one that this program saved");
-    fold();
+    xorOutDerivedState();
     if (watcher_ != nullptr) watcher_->restored();
     figures_.readAgain();
     if (!lesson_.recorded) return;

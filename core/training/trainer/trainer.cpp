@@ -8,9 +8,9 @@
 
 namespace meltpool {
 
-Trainer::Trainer(gl::ShaderLibrary& shaders, Lesson lesson, gl::OtherContext* metalThere)
+Trainer::Trainer(gl::ShaderLibrary& shaders, Lesson lesson, gl::StepContext* stepContext)
     : lesson_(std::move(lesson)),
-      metal_(shaders, lesson_, metalThere),
+      metal_(shaders, lesson_, stepContext),
       identity_(identityOf(lesson_)),
       live_(liveParameters(lesson_)),
       figures_(metal_, recorder_) {
@@ -92,7 +92,7 @@ void Trainer::advance(const TorchSample& torch, gl::Profiler* profiler) {
 void Trainer::tellOfStep() {
     if (lesson_.model != LessonModel::Weld) return;
     sound_.step(lesson_.process, arc_, torch_, timeStep(), figures_.newest().maxTemperature);
-    if (ear_ != nullptr) ear_->hear(sound_.last());
+    if (soundSteps_ != nullptr) soundSteps_->hear(sound_.last());
     if (watcher_ != nullptr) watcher_->stepped();
 }
 

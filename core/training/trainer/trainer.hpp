@@ -5,7 +5,7 @@
 #include "core/gl/profiler.hpp"
 #include "core/gl/program.hpp"
 #include "core/training/attempt/checkpoint_capture.hpp"
-#include "core/training/feedback/sound/ear.hpp"
+#include "core/training/feedback/sound/sound_steps.hpp"
 #include "core/training/judging/judgement.hpp"
 #include "core/training/lesson/lesson.hpp"
 #include "core/training/trainer/attempt_recorder.hpp"
@@ -52,9 +52,9 @@ class StepWatcher {
 
 class Trainer {
   public:
-    /// Makes the metal. Throws InputError if the lesson's values are impossible here. `metalThere`: context of the
+    /// Makes the metal. Throws InputError if the lesson's values are impossible here. `stepContext`: context of the
     /// metal, see LessonMetal; all functions may then be called on its thread too.
-    Trainer(gl::ShaderLibrary& shaders, Lesson lesson, gl::OtherContext* metalThere = nullptr);
+    Trainer(gl::ShaderLibrary& shaders, Lesson lesson, gl::StepContext* stepContext = nullptr);
     ~Trainer();
     Trainer(const Trainer&) = delete;
     Trainer& operator=(const Trainer&) = delete;
@@ -100,8 +100,8 @@ class Trainer {
     const ArcState& arc() const { return arc_; }
     /// Sound of the last step, its short circuits one by one; the classic model makes no sound.
     const SoundStep& heard() const { return sound_.last(); }
-    /// Gives each step from the next one on to `ear` (null: dropped), which must outlive this.
-    void listen(Ear* ear) { ear_ = ear; }
+    /// Gives each step from the next one on to `soundSteps` (null: dropped), which must outlive this.
+    void listen(SoundSteps* soundSteps) { soundSteps_ = soundSteps; }
     /// Replaces the watcher from the next step on by `watcher` (null: none). It must outlive this or be replaced before
     /// it ends.
     void watch(StepWatcher* watcher) { watcher_ = watcher; }
@@ -166,7 +166,7 @@ class Trainer {
     void followUnseen();
     void tellOfStep();
     void transfer(gl::StateArchive& archive);
-    void fold();
+    void xorOutDerivedState();
     void transferLesson(gl::StateArchive& archive);
     void requireFit(const Checkpoint& checkpoint) const;
     static std::uint64_t identityOf(Lesson& lesson);
@@ -184,7 +184,7 @@ class Trainer {
     TorchSample torch_;
     ArcState arc_;
     SoundSource sound_;
-    Ear* ear_ = nullptr;
+    SoundSteps* soundSteps_ = nullptr;
     StepWatcher* watcher_ = nullptr;
     std::optional<Technique> technique_;
     bool tracked_ = true; ///< torch state after its last event

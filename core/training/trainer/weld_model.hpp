@@ -32,7 +32,7 @@ class WeldModel : public MetalModel {
     std::optional<MetalStatistics> pollStatistics() override { return weld_.metal().pollStatistics(); }
     std::optional<MetalStatistics> awaitStatistics() override { return weld_.metal().awaitStatistics(); }
     void transfer(gl::StateArchive& archive) override { weld_.transfer(archive); }
-    void fold() override { weld_.fold(); }
+    void xorOutDerivedState() override { weld_.xorOutDerivedState(); }
     std::uint64_t stateHash() const override { return weld_.metal().stateHash(); }
     size_t bytes() const override { return weld_.bytes(); }
 

@@ -57,7 +57,7 @@ PhysicalSetup setupOf(const Material& material, const ProcessSettings& settings,
     PhysicalSetup setup;
     setup.material = material;
     setup.material.liquidConductivity = times(material.liquidConductivity, stirring.factor);
-    setup.heat.ledStirring = stirring.byTension;
+    setup.heat.directedMixing = stirring.byTension;
     setup.lattice = workpiece.lattice;
     setup.seeds = workpiece.seeds;
     setup.fillerRoom = around.fillerRoom;

@@ -30,7 +30,7 @@ class Weld {
 
     /// Saves or restores all that the next step reads but the settings, which come before it.
     void transfer(gl::StateArchive& archive);
-    void fold() { metal_.fold(); } ///< see PhysicalMetal::fold()
+    void xorOutDerivedState() { metal_.xorOutDerivedState(); } ///< see PhysicalMetal::xorOutDerivedState()
 
     /// Runs one time step of the metal under this torch: the distance of the metal on the torch's axis, as AxisProbe
     /// found it four steps ago and corrected by the torch's own way since -> process -> metal -> the next look. Waits

@@ -5,17 +5,17 @@
 // function of theta for each axis preserves conservation: the two sides of a face find equal flow, and nothing flows
 // between metal of one temperature. Below the liquidus, and without a direction, theta is unchanged, to the bit.
 
-#ifdef LED_STIRRING
-vec3 ledTheta(vec3 theta, vec3 less) { return theta - less * max(theta - heatBlock.liquidTheta, 0.0); }
-vec3 ledAlongAxes(vec3 theta) { return ledTheta(theta, heatBlock.stirringLess); }
+#ifdef DIRECTED_MIXING
+vec3 anisotropicTheta(vec3 theta, vec3 less) { return theta - less * max(theta - heatBlock.liquidTheta, 0.0); }
+vec3 anisotropicAlongAxes(vec3 theta) { return anisotropicTheta(theta, heatBlock.stirringLess); }
 /// Theta reduced by the smaller share of both axes of the planes xy, yz and xz: the square may not conduct more than
 /// its sides do.
 vec3 ledInPlanes(vec3 theta) {
-    return ledTheta(theta, max(heatBlock.stirringLess.xyx, heatBlock.stirringLess.yzz));
+    return anisotropicTheta(theta, max(heatBlock.stirringLess.xyx, heatBlock.stirringLess.yzz));
 }
 
 vec3 ledWhetherHeld(vec3 theta) {
-    return mix(ledAlongAxes(theta), -2.0 - ledAlongAxes(-2.0 - theta), lessThan(theta, vec3(-1.5)));
+    return mix(anisotropicAlongAxes(theta), -2.0 - anisotropicAlongAxes(-2.0 - theta), lessThan(theta, vec3(-1.5)));
 }
 
 /// The neighbours with the reduced theta.
@@ -25,7 +25,7 @@ Neighbours ledNeighbours(Neighbours n) {
     return n;
 }
 #else
-vec3 ledAlongAxes(vec3 theta) { return theta; }
+vec3 anisotropicAlongAxes(vec3 theta) { return theta; }
 vec3 ledInPlanes(vec3 theta) { return theta; }
 Neighbours ledNeighbours(Neighbours n) { return n; }
 #endif

@@ -1,6 +1,6 @@
 // Tests the metal's time against the hand's time at different frame rates and on machines of different speed.
 #include "app/activities/step_clock.hpp"
-#include "core/training/attempt/checkpoint_pace.hpp"
+#include "core/training/attempt/checkpoint_schedule.hpp"
 #include "tests/support/catch.hpp"
 
 namespace meltpool {
@@ -130,10 +130,10 @@ TEST_CASE("the speed of steps alone is that of the time they took") {
 }
 
 TEST_CASE("moments lie as far apart as the machine welds in a second") {
-    CHECK(CheckpointPace::period(StepClock().speedOfSteps(kStep)) == 1);
-    CHECK(CheckpointPace::period(3) == 1);
-    CHECK(CheckpointPace::period(0.7) == 0.7);
-    CHECK(CheckpointPace::period(0.1) == 0.4);
+    CHECK(CheckpointSchedule::period(StepClock().speedOfSteps(kStep)) == 1);
+    CHECK(CheckpointSchedule::period(3) == 1);
+    CHECK(CheckpointSchedule::period(0.7) == 0.7);
+    CHECK(CheckpointSchedule::period(0.1) == 0.4);
 }
 
 TEST_CASE("after a pause no time is made good, and one long frame is") {

@@ -1,6 +1,6 @@
 // Buoyancy and heat transport: hot liquid rises, and moving liquid carries its heat and spreads it by conduction alone.
 #include "core/metal/flow/flow.hpp"
-#include "core/validation/heat_bench.hpp"
+#include "core/validation/heat_rig.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
@@ -122,7 +122,7 @@ TEST_CASE("Liquid that moves takes its heat along and spreads it by conduction a
     }
     HeatSettings settings;
     settings.meltedLeaves = true;
-    HeatBench bench(test::shaders(), lattice, plainMetal(), seeds, settings);
+    HeatRig bench(test::shaders(), lattice, plainMetal(), seeds, settings);
     const double before = bench.state.readEnergy();
     const double longest = bench.solver.longestStep(1400);
     const int steps = static_cast<int>(std::ceil(kSeconds / longest));

@@ -1,6 +1,6 @@
 // Drops in space: forces are equal and opposite to the bit, so momentum changes by rounding alone, and neighbour lists
 // that serve several substeps contain every near particle.
-#include "core/validation/flow_bench.hpp"
+#include "core/validation/flow_rig.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
@@ -52,7 +52,7 @@ struct Momenta {
     double ofSpeeds = 0, ofLevers = 0; ///< sums of absolute values
 };
 
-Momenta momentaOf(const FlowBench& bench) {
+Momenta momentaOf(const FlowRig& bench) {
     Momenta sums;
     const auto places = bench.readPositions(), velocities = bench.readVelocities();
     for (size_t i = 0; i < places.size(); ++i) {
@@ -69,7 +69,7 @@ struct DensityErrors {
     double mean = 0, most = 0;
 };
 
-DensityErrors densityErrors(const FlowBench& bench) {
+DensityErrors densityErrors(const FlowRig& bench) {
     const auto computed = bench.flow.readParticles();
     std::vector<OracleParticle> particles;
     for (const FlowParticle& particle : computed)
@@ -84,8 +84,8 @@ DensityErrors densityErrors(const FlowBench& bench) {
     return errors;
 }
 
-FlowBench inSpace(const FlowFluid& fluid, const std::vector<MetalSeed>& seeds) {
-    return FlowBench(test::shaders(), fluid, {glm::vec3(-0.06F), glm::vec3(0.06F)}, glm::vec3(0), seeds);
+FlowRig inSpace(const FlowFluid& fluid, const std::vector<MetalSeed>& seeds) {
+    return FlowRig(test::shaders(), fluid, {glm::vec3(-0.06F), glm::vec3(0.06F)}, glm::vec3(0), seeds);
 }
 
 } // namespace
@@ -94,7 +94,7 @@ TEST_CASE("drops in space keep their momentum to float accuracy") {
     test::context();
     const bool collide = GENERATE(false, true);
     INFO((collide ? "two drops collide" : "one drop"));
-    FlowBench bench = inSpace({}, collide ? twoDrops() : oneDrop());
+    FlowRig bench = inSpace({}, collide ? twoDrops() : oneDrop());
     const Momenta before = momentaOf(bench);
     bench.run(0.2, 0.2);
     const Momenta after = momentaOf(bench);
@@ -109,7 +109,7 @@ TEST_CASE("without surface tension drops that collide keep their angular momentu
     FlowFluid fluid;
     fluid.tension = 0;
     fluid.fastest = 0.3;
-    FlowBench bench = inSpace(fluid, twoDrops());
+    FlowRig bench = inSpace(fluid, twoDrops());
     const Momenta before = momentaOf(bench);
     bench.run(0.05, 0.05);
     const Momenta after = momentaOf(bench);
@@ -121,7 +121,7 @@ TEST_CASE("without surface tension drops that collide keep their angular momentu
 
 TEST_CASE("neighbour lists miss nobody who is near") {
     test::context();
-    FlowBench bench = inSpace({}, twoDrops());
+    FlowRig bench = inSpace({}, twoDrops());
     DensityErrors errors;
     double looks = 0;
     bench.run(0.12, 0.01, [&](double) {

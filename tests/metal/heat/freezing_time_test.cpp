@@ -1,6 +1,6 @@
 // Freezing times of particles: preserved from melting to melting and through saved states.
 #include "core/gl/state_archive.hpp"
-#include "core/validation/heat_bench.hpp"
+#include "core/validation/heat_rig.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
@@ -44,7 +44,7 @@ TEST_CASE("metal keeps the time at which it froze, molten metal and what never m
     const MetalLattice lattice = MetalLattice::covering(glm::vec3(0), high + 3 * kSpacing, kSpacing);
     HeatSettings settings;
     settings.meltedLeaves = leaves;
-    HeatBench bench(test::shaders(), lattice, simpleSteel(), hotSpots(lattice, low, high), settings);
+    HeatRig bench(test::shaders(), lattice, simpleSteel(), hotSpots(lattice, low, high), settings);
     const size_t count = bench.state.particles();
     std::vector<float> expected(count, 0);
     expected.back() = METAL_MOLTEN;

@@ -1,6 +1,6 @@
 // Heat in metal off the lattice: no energy is lost, and conduction equals that of the lattice.
 #include "core/validation/exact_solutions.hpp"
-#include "core/validation/heat_bench.hpp"
+#include "core/validation/heat_rig.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
@@ -56,7 +56,7 @@ TEST_CASE("Metal off the lattice keeps every joule", "[heat][off-lattice]") {
     const bool loses = GENERATE(false, true);
     settings.convection = loses ? 200 : 0;
     settings.radiation = loses;
-    HeatBench bench(test::shaders(), lattice, m, seeds, settings);
+    HeatRig bench(test::shaders(), lattice, m, seeds, settings);
     const double before = bench.state.readEnergy();
     const auto source = HeatSource::gaussian({0.008F, high.y, 0.007F}, {0, -1, 0}, 2 * kSpacing, 500);
     for (int i = 0; i < 200; ++i)
@@ -84,7 +84,7 @@ TEST_CASE("No metal gets colder than the coldest or hotter than the hottest was"
         seeds.push_back({{place(random), place(random), place(random)}, hotDrops ? 2500.0F : 293.0F, PHASE_ALIVE, {}});
     for (int i = 0; i < 20; ++i)
         seeds.push_back({{0.0051F, 0.0052F, 0.0053F}, hotDrops ? 2500.0F : 293.0F, PHASE_ALIVE, {}});
-    HeatBench bench(test::shaders(), lattice, m, seeds, HeatSettings{});
+    HeatRig bench(test::shaders(), lattice, m, seeds, HeatSettings{});
     const double before = bench.state.readEnergy();
     double coldest = 1e9, hottest = 0;
     for (int i = 0; i < 60; ++i) {
@@ -117,7 +117,7 @@ TEST_CASE("Metal off the lattice conducts as metal on it does", "[heat][off-latt
     for (MetalSeed& seed : seeds)
         seed.position = glm::clamp(seed.position, glm::vec3(-1), glm::vec3(1, side, side));
     HeatSettings settings;
-    HeatBench bench(test::shaders(), lattice, m, seeds, settings);
+    HeatRig bench(test::shaders(), lattice, m, seeds, settings);
     bench.run(0, 4, 1500, nothingBurns);
     double squares = 0, most = 0;
     size_t count = 0;
@@ -153,8 +153,8 @@ TEST_CASE("Stirred liquid conducts less along the axes that its stirring does no
         seed.temperature = static_cast<float>(1500 + 500 * wave(seed.position));
     takeOffLattice(seeds, 0, 0);
     HeatSettings settings;
-    settings.ledStirring = true;
-    HeatBench bench(test::shaders(), lattice, m, seeds, settings);
+    settings.directedMixing = true;
+    HeatRig bench(test::shaders(), lattice, m, seeds, settings);
     bench.solver.setStirringLess({0, 0.75F, 0.4F});
     const double before = bench.state.readEnergy();
     for (int i = 0; i < 200; ++i)
@@ -182,8 +182,8 @@ TEST_CASE("Nothing flows between a held wall and led liquid of its temperature",
         if (seed.position.x < 0) seed.phase |= PHASE_HELD;
     takeOffLattice(seeds, 0, 0);
     HeatSettings settings;
-    settings.ledStirring = true;
-    HeatBench bench(test::shaders(), lattice, m, seeds, settings);
+    settings.directedMixing = true;
+    HeatRig bench(test::shaders(), lattice, m, seeds, settings);
     bench.solver.setStirringLess({0.75F, 0, 0});
     for (int i = 0; i < 50; ++i)
         bench.solver.step(0.02, {});
@@ -204,7 +204,7 @@ TEST_CASE("A free fragment conducts where it touches and not where it does not",
     }
     const size_t below = seeds.size();
     seeds.insert(seeds.end(), block.begin(), block.end());
-    HeatBench bench(test::shaders(), lattice, m, seeds, HeatSettings{});
+    HeatRig bench(test::shaders(), lattice, m, seeds, HeatSettings{});
     bench.run(0, 30, 1500, nothingBurns);
     double mean = 0;
     const auto temperatures = bench.readTemperatures();
@@ -220,7 +220,7 @@ TEST_CASE("Metal taken off the lattice by others is found, and its old cell is f
     auto seeds = latticeSeeds(lattice, glm::vec3(0), glm::vec3(side), 300);
     HeatSettings settings;
     settings.ledger = true;
-    HeatBench bench(test::shaders(), lattice, m, seeds, settings);
+    HeatRig bench(test::shaders(), lattice, m, seeds, settings);
     bench.solver.step(1e-3, {});
     // The upper half is a tile higher, as a free fragment would be.
     auto positions = bench.state.position.read<vec4>(seeds.size());
@@ -254,7 +254,7 @@ TEST_CASE("Other passes find every slot off the lattice in the solver's list", "
     takeOffLattice(seeds, 0.005F, 0.4F);
     HeatSettings settings;
     settings.meltedLeaves = true;
-    HeatBench bench(test::shaders(), lattice, m, seeds, settings);
+    HeatRig bench(test::shaders(), lattice, m, seeds, settings);
     const OffLatticeList list = bench.solver.offLattice();
     const auto listed = [&] {
         const auto count = list.control.read<uint>(1, list.count)[0];
@@ -290,7 +290,7 @@ TEST_CASE("Metal off the lattice gives the same bits twice", "[heat][off-lattice
         takeOffLattice(seeds, 0.005F, 0.4F);
         HeatSettings settings;
         settings.convection = 20;
-        HeatBench bench(test::shaders(), lattice, m, seeds, settings);
+        HeatRig bench(test::shaders(), lattice, m, seeds, settings);
         const auto source = HeatSource::gaussian({0.006F, high.y, 0.006F}, {0, -1, 0}, 2 * kSpacing, 2000);
         for (int i = 0; i < 50; ++i)
             bench.solver.step(4e-3, std::vector{source});
@@ -311,7 +311,7 @@ TEST_CASE("Metal that lies on the welding table cools as one lump does, metal ab
     settings.tableConductance = 2000;
     const bool lies = GENERATE(true, false);
     settings.tableHeight = lies ? 0.002 : 0.0005;
-    HeatBench bench(test::shaders(), lattice, m, seeds, settings);
+    HeatRig bench(test::shaders(), lattice, m, seeds, settings);
     constexpr double kSeconds = 1;
     for (int i = 0; i < 200; ++i)
         bench.solver.step(kSeconds / 200, {});

@@ -1,7 +1,7 @@
 // The heat passes against a twin on the CPU, and the laws of every step: energy, determinism, memory of the peak.
 #include "core/base/error.hpp"
 #include "core/metal/heat/heat.hpp"
-#include "core/validation/heat_bench.hpp"
+#include "core/validation/heat_rig.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
@@ -127,7 +127,7 @@ TEST_CASE("One step on the lattice equals its twin on the CPU", "[heat]") {
     HeatSettings settings;
     settings.convection = 40;
     settings.radiation = true;
-    HeatBench bench(test::shaders(), lattice, m, seeds, settings);
+    HeatRig bench(test::shaders(), lattice, m, seeds, settings);
     const glm::vec3 spot(0.5F * (low.x + high.x), high.y, 0.5F * (low.z + high.z));
     // Tiles in reach of a source are mixed, the others plain.
     const float power = GENERATE(500.0F, 0.0F);
@@ -159,7 +159,7 @@ TEST_CASE("A source gives exactly its power, whatever metal is there", "[heat]")
         HeatSource::sphere(corner, 0.004F, 100), HeatSource::gaussian(corner, {0, -1, 0}, 2 * h, 200),
         HeatSource::ellipsoid(corner, {0, -1, 0}, {1, 0, 0}, 3 * h, 2 * h, 3 * h, 6 * h, 0.6F, 400)};
     for (size_t i = 0; i < sources.size(); ++i) {
-        HeatBench bench(test::shaders(), lattice, m, seeds, settings);
+        HeatRig bench(test::shaders(), lattice, m, seeds, settings);
         const double before = bench.state.readEnergy();
         for (int step = 0; step < 20; ++step)
             bench.solver.step(1e-3, std::span(sources).subspan(i, 1));
@@ -168,17 +168,17 @@ TEST_CASE("A source gives exactly its power, whatever metal is there", "[heat]")
         CHECK(bench.state.readEnergy() - before == Approx(put).epsilon(1e-6));
     }
     SECTION("all at once") {
-        HeatBench bench(test::shaders(), lattice, m, seeds, settings);
+        HeatRig bench(test::shaders(), lattice, m, seeds, settings);
         bench.solver.step(1e-3, sources);
         CHECK(bench.solver.readBalance().gained == Approx(0.7).epsilon(1e-6));
     }
     SECTION("nothing where no metal is") {
-        HeatBench bench(test::shaders(), lattice, m, seeds, settings);
+        HeatRig bench(test::shaders(), lattice, m, seeds, settings);
         bench.solver.step(1e-3, std::vector{HeatSource::sphere({0.5F, 0.5F, 0.5F}, 0.004F, 100)});
         CHECK(bench.solver.readBalance().gained == 0);
     }
     SECTION("too many at once are refused") {
-        HeatBench bench(test::shaders(), lattice, m, seeds, settings);
+        HeatRig bench(test::shaders(), lattice, m, seeds, settings);
         const std::vector<HeatSource> many(HEAT_SOURCES + 1, sources[0]);
         CHECK_THROWS_AS(bench.solver.step(1e-3, many), RuntimeFault);
     }
@@ -193,7 +193,7 @@ TEST_CASE("A hot tip gives what its contact lets through, and at most its power"
     HeatSettings settings;
     settings.ledger = true;
     const auto gained = [&](float power) {
-        HeatBench bench(test::shaders(), lattice, m, seeds, settings);
+        HeatRig bench(test::shaders(), lattice, m, seeds, settings);
         const auto tip = HeatSource::hotTip({0.01F, high.y, 0.01F}, 1.2F * h, 700, 2000, power);
         bench.solver.step(1e-3, std::vector{tip});
         return bench.solver.readBalance().gained;
@@ -213,12 +213,12 @@ TEST_CASE("Cold tiles rest, and resting costs neither energy nor much accuracy",
     HeatSettings settings;
     settings.ambient = 300;
     settings.ledger = true;
-    HeatBench resting(test::shaders(), lattice, m, seeds, settings);
+    HeatRig resting(test::shaders(), lattice, m, seeds, settings);
     settings.wakingKelvin = -1; // every tile takes part in every step
-    HeatBench awake(test::shaders(), lattice, m, seeds, settings);
+    HeatRig awake(test::shaders(), lattice, m, seeds, settings);
     const double dt = resting.solver.longestStep(3000);
     for (int i = 0; i < 100; ++i)
-        for (HeatBench* bench : {&resting, &awake})
+        for (HeatRig* bench : {&resting, &awake})
             bench->solver.step(dt, std::vector{source});
     CHECK(awake.solver.readActiveTiles() == lattice.tileCount());
     CHECK(resting.solver.readActiveTiles() < lattice.tileCount() / 2);
@@ -240,7 +240,7 @@ TEST_CASE("Two runs give the same bits", "[heat]") {
         HeatSettings settings;
         settings.convection = 20;
         settings.radiation = true;
-        HeatBench bench(test::shaders(), lattice, m, unevenBlock(lattice, glm::vec3(0), high), settings);
+        HeatRig bench(test::shaders(), lattice, m, unevenBlock(lattice, glm::vec3(0), high), settings);
         for (int i = 0; i < 60; ++i) {
             const float x = 0.005F + 2e-4F * static_cast<float>(i);
             bench.solver.step(4e-3, std::vector{HeatSource::gaussian({x, high.y, 0.015F}, {0, -1, 0}, 2 * h, 2000),
@@ -260,7 +260,7 @@ TEST_CASE("A particle remembers its peak and how long it cooled from 800 to 500 
     HeatSettings settings;
     settings.ambient = 300;
     settings.convection = 500;
-    HeatBench bench(test::shaders(), lattice, m, seeds, settings);
+    HeatRig bench(test::shaders(), lattice, m, seeds, settings);
     bench.run(0, 20, 2000, nothingBurns);
     // One free cell has six open sides, which counts as the length of (2, 2, 2); it cools as exp(-t/tau).
     const double tau = bench.state.particleMass() * 600 / (500 * std::sqrt(12.0) * 1e-6);
@@ -281,7 +281,7 @@ TEST_CASE("Melting and freezing wait for their fractions", "[heat]") {
     HeatSettings settings;
     const bool leaves = GENERATE(false, true);
     settings.meltedLeaves = leaves;
-    HeatBench bench(test::shaders(), lattice, m, seeds, settings);
+    HeatRig bench(test::shaders(), lattice, m, seeds, settings);
     const auto heatBy = [&](double joules) {
         bench.solver.step(1e-3,
                           std::vector{HeatSource::sphere(glm::vec3(0), 0.01F, static_cast<float>(joules / 1e-3))});
@@ -310,7 +310,7 @@ TEST_CASE("A torch's Gaussian heats what it faces in front of it and what catche
     HeatSettings settings;
     settings.ledger = true;
     const auto joules = [&](const HeatSource& source) {
-        HeatBench bench(test::shaders(), lattice, m, latticeSeeds(lattice, low, high, 300), settings);
+        HeatRig bench(test::shaders(), lattice, m, latticeSeeds(lattice, low, high, 300), settings);
         bench.solver.step(1e-3, std::vector{source});
         return bench.solver.readBalance().gained;
     };
@@ -340,7 +340,7 @@ TEST_CASE("Evaporation holds an overheated surface near its boiling point", "[he
     HeatSettings settings;
     settings.ledger = true;
     settings.evaporation = true;
-    HeatBench bench(test::shaders(), lattice, m, seeds, settings);
+    HeatRig bench(test::shaders(), lattice, m, seeds, settings);
     const double before = bench.state.readEnergy();
     const auto source = HeatSource::gaussian({0.01F, high.y, 0.01F}, {0, -1, 0}, 1.5F * h, 6000);
     bench.run(0, 0.5, 4000, [&](double) { return std::vector{source}; });

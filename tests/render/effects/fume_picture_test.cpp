@@ -25,7 +25,7 @@ FumePuff puffAt(glm::vec3 place, float radius, float depth) {
 LookParameters smokeOnly() {
     LookParameters look = test::roomOnly(0.4f);
     look.showSource = true;
-    look.leftOut = bitOf(Measure::glare);
+    look.leftOut = bitOf(DetailFeature::glare);
     return look;
 }
 
@@ -96,7 +96,7 @@ TEST_CASE("a puff above the arc is lit by it and by the room, and is switched of
     off.detail = kLowDetail;
     CHECK(showsNone(off));
     off = look;
-    off.leftOut |= bitOf(Measure::fume);
+    off.leftOut |= bitOf(DetailFeature::fume);
     CHECK(showsNone(off));
     off = look;
     off.colours = kTemperatureColours;

@@ -84,7 +84,7 @@ TEST_CASE("at every level the pool's edge can be seen: emissivity jumps, and wha
         arcOverSolid.arc = arcOver.arc;
         LookParameters seen = atLevel(roomOnly(0), level);
         seen.arcLight = 1;
-        seen.leftOut = bitOf(Measure::glare);
+        seen.leftOut = bitOf(DetailFeature::glare);
         seen.exposure = 1e-2f;
         const float image = lightOf(renderer, arcOver, seen).g - lightOf(renderer, liquid.scene(looks), seen).g;
         const float imageInSolid =
@@ -155,7 +155,7 @@ TEST_CASE("a weld's picture differs by the level, and by each measure that is le
     LookParameters look;
     for (const MeasureRow& row : kMeasures) {
         INFO(row.key);
-        const View& view = row.measure == Measure::ripples ? behind : ahead;
+        const View& view = row.measure == DetailFeature::ripples ? behind : ahead;
         look.leftOut = 0;
         const Image high = pictureOf(scene, look, {&view, 1});
         look.leftOut = bitOf(row.measure);

@@ -109,7 +109,7 @@ TEST_CASE("antialiased highlights vary less over a pixel, and differ less from t
     look.exposure = 0.02f; // below the tone curve's knee, so that light is compared
     look.detail = kHighDetail;
     const SceneView scene = sheet.scene(looks);
-    look.leftOut = bitOf(Measure::calmHighlights);
+    look.leftOut = bitOf(DetailFeature::calmHighlights);
     const std::vector<double> reference = meanOf(sampledEverywhere(scene, look, 8));
     const auto plain = sampledEverywhere(scene, look, 4);
     look.leftOut = 0;
@@ -122,7 +122,7 @@ TEST_CASE("antialiased highlights vary less over a pixel, and differ less from t
     CHECK(calmFar < 0.95 * plainFar);
     look.detail = kLowDetail; // low detail has no antialiasing
     const auto low = sampled(scene, look, {0, 0});
-    look.leftOut = bitOf(Measure::calmHighlights);
+    look.leftOut = bitOf(DetailFeature::calmHighlights);
     CHECK(low == sampled(scene, look, {0, 0}));
 }
 

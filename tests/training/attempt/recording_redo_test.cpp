@@ -1,6 +1,6 @@
 // Recordings of attempts that went back: read as their final course, with every checkpoint that is still valid.
 #include "core/base/error.hpp"
-#include "core/training/attempt/checkpoint_pace.hpp"
+#include "core/training/attempt/checkpoint_schedule.hpp"
 #include "core/training/attempt/recording_csv.hpp"
 #include "core/training/attempt/recording_reader.hpp"
 #include "core/training/lesson/lesson.hpp"
@@ -156,7 +156,7 @@ TEST_CASE("a way back that no attempt has gone is refused", "[training]") {
 }
 
 TEST_CASE("a recording takes the moments that come, as far as 60 megabytes a minute allow", "[training]") {
-    CheckpointPace small, large;
+    CheckpointSchedule small, large;
     int smallTaken = 0, largeTaken = 0;
     constexpr size_t kSmall = 20'000, kLarge = 9'700'000;
     for (int second = 0; second <= 60; ++second) {

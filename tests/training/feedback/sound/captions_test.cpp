@@ -1,5 +1,5 @@
 // Captions of the sound.
-#include "core/training/feedback/sound/ear.hpp"
+#include "core/training/feedback/sound/sound_steps.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/training/feedback/sound/sound_steps.hpp"
 
@@ -62,7 +62,7 @@ TEST_CASE("a caption does not flicker", "[sound]") {
 }
 
 TEST_CASE("an ear hands steps on in order, drops what nobody takes, and chips with the next step", "[sound]") {
-    Ear ear;
+    SoundSteps ear;
     for (size_t i = 0; i < SoundFeed::kRoom + 10; ++i) {
         SoundStep step = noArc(Smaw::kTraits);
         step.hottest = static_cast<float>(i);
