@@ -90,8 +90,8 @@ SectionSizes sizesOf(const json& result) {
     sizes.thickness = numberIn(partIn(result, "parameters"), "thickness_mm");
     sizes.toeWidth = known("toe_width_mm", "toe_width_mm");
     sizes.height = known("height_mm", "height_mm");
-    sizes.legLying = known("leg_lying_mm", "leg1_mm");
-    sizes.legStanding = known("leg_standing_mm", "leg2_mm");
+    sizes.legBase = known("leg_lying_mm", "leg1_mm");
+    sizes.legUpright = known("leg_standing_mm", "leg2_mm");
     sizes.throat = known("throat_mm", "throat_mm");
     sizes.fusedWidth = known("fused_width_mm", "fused_width_mm");
     sizes.penetration = known("penetration_mm", "penetration_mm");

@@ -29,8 +29,8 @@ struct Extent {
 
 Extent extentOf(const SectionSizes& sizes) {
     if (sizes.fillet()) {
-        const double lying = *sizes.legLying * (1 + kBeside), standing = *sizes.legStanding * (1 + kBeside);
-        return {lying + plateOf(sizes), standing + plateOf(sizes)};
+        const double base = *sizes.legBase * (1 + kBeside), upright = *sizes.legUpright * (1 + kBeside);
+        return {base + plateOf(sizes), upright + plateOf(sizes)};
     }
     if (!sizes.toeWidth || !sizes.height) return {};
     const double width = std::max(*sizes.toeWidth, sizes.fusedWidth.value_or(0));
@@ -80,26 +80,26 @@ class Drawing {
 
     /// Draws a fillet; the origin is the joint's corner, the base plate to the right.
     void fillet() {
-        const double thick = plateOf(sizes_), lying = *sizes_.legLying, standing = *sizes_.legStanding;
+        const double thick = plateOf(sizes_), base = *sizes_.legBase, upright = *sizes_.legUpright;
         originX_ = kEdge + thick * scale_;
-        originY_ = kEdge + standing * (1 + kBeside) * scale_;
-        plate(-thick, -thick, lying * (1 + kBeside), 0);
-        plate(-thick, 0, 0, standing * (1 + kBeside));
-        fusedCorner(lying, standing);
+        originY_ = kEdge + upright * (1 + kBeside) * scale_;
+        plate(-thick, -thick, base * (1 + kBeside), 0);
+        plate(-thick, 0, 0, upright * (1 + kBeside));
+        fusedCorner(base, upright);
         // The face's middle is where the throat ends.
-        const double chord = std::hypot(lying, standing);
-        const double out = chord > 0 ? sizes_.throat.value_or(lying * standing / chord) - lying * standing / chord : 0;
-        const double x = lying / 2 + 2 * out * standing / std::max(chord, 1e-9);
-        const double y = standing / 2 + 2 * out * lying / std::max(chord, 1e-9);
-        svg_.path("M" + at(0, 0) + "L" + at(lying, 0) + "Q" + at(x, y) + at(0, standing) + "Z", "weld");
+        const double chord = std::hypot(base, upright);
+        const double out = chord > 0 ? sizes_.throat.value_or(base * upright / chord) - base * upright / chord : 0;
+        const double x = base / 2 + 2 * out * upright / std::max(chord, 1e-9);
+        const double y = upright / 2 + 2 * out * base / std::max(chord, 1e-9);
+        svg_.path("M" + at(0, 0) + "L" + at(base, 0) + "Q" + at(x, y) + at(0, upright) + "Z", "weld");
     }
 
     /// Draws the fusion of both plates, as deep as the deepest measurement, over the fused share of the faces.
-    void fusedCorner(double lying, double standing) {
+    void fusedCorner(double base, double upright) {
         const double depth = sizes_.penetration.value_or(0);
-        const double share = std::min(1.0, sizes_.fusedWidth.value_or(0) / std::max(lying + standing, 1e-9));
+        const double share = std::min(1.0, sizes_.fusedWidth.value_or(0) / std::max(base + upright, 1e-9));
         if (!(depth > 0) || !(share > 0)) return;
-        const double right = lying * share, top = standing * share;
+        const double right = base * share, top = upright * share;
         svg_.path("M" + at(0, 0) + "L" + at(right, 0) + "Q" + at(right / 2, -2 * depth) + at(0, 0) + "Q" +
                       at(-2 * depth, top / 2) + at(0, top) + "Z",
                   "fused");
@@ -125,8 +125,8 @@ class Drawing {
 
     void words() {
         if (sizes_.fillet()) {
-            word("leg_lying", sizes_.legLying);
-            word("leg_standing", sizes_.legStanding);
+            word("leg_base", sizes_.legBase);
+            word("leg_upright", sizes_.legUpright);
             word("throat", sizes_.throat);
         } else {
             word("width", sizes_.toeWidth);

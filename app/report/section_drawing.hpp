@@ -10,10 +10,10 @@ namespace meltpool {
 struct SectionSizes {
     std::optional<double> thickness;        ///< of the plate
     std::optional<double> toeWidth, height; ///< of a bead
-    std::optional<double> legLying, legStanding, throat;
+    std::optional<double> legBase, legUpright, throat;
     std::optional<double> fusedWidth, penetration;
 
-    bool fillet() const { return legLying && legStanding; }
+    bool fillet() const { return legBase && legUpright; }
 };
 
 /// Size of the drawing.

@@ -52,10 +52,10 @@ struct Fillet {
 };
 
 void compareFillet(const ValidationCase& from, const FilletShape& fillet, ValidationResult& result) {
-    const double lying = fillet.toes[0].place * 1e3, standing = fillet.toes[1].place * 1e3;
-    result.compareMeasured(from, "leg_mm", 0.5 * (lying + standing));
-    result.compareMeasured(from, "leg_lying_mm", lying);
-    result.compareMeasured(from, "leg_standing_mm", standing);
+    const double base = fillet.toes[0].place * 1e3, upright = fillet.toes[1].place * 1e3;
+    result.compareMeasured(from, "leg_mm", 0.5 * (base + upright));
+    result.compareMeasured(from, "leg_lying_mm", base);
+    result.compareMeasured(from, "leg_standing_mm", upright);
     result.compareMeasured(from, "throat_mm", fillet.throat * 1e3);
     result.compareMeasured(from, "edge_angle_lying_deg", fillet.toes[0].angle / kDegree);
     result.compareMeasured(from, "edge_angle_standing_deg", fillet.toes[1].angle / kDegree);

@@ -110,8 +110,8 @@ constexpr std::array kBead =
                   kPlate),
            kArc);
 constexpr std::array kFillet =
-    joined(joined(std::array{kTravel, CaseKey{"standing_mm", number, 1, 1000, 25.0, "height of the standing plate"},
-                             CaseKey{"work_angle_deg", number, 5, 85, 45.0, "between torch and lying plate"},
+    joined(joined(std::array{kTravel, CaseKey{"standing_mm", number, 1, 1000, 25.0, "height of the upright plate"},
+                             CaseKey{"work_angle_deg", number, 5, 85, 45.0, "between torch and base plate"},
                              CaseKey{"travel_angle_deg", number, -60, 60, 0.0, "positive pushes"}},
                   kPlate),
            kArc);

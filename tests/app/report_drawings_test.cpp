@@ -123,8 +123,8 @@ TEST_CASE("a section is drawn to scale from what is measured", "[app]") {
     CHECK_THAT(svg, containsText("class=\"fused\" d=\"M54.0,31.0 A46.0 11.5 0 0 0 146.0,31.0 Z\""));
     CHECK_THAT(svg, containsText("width 10.0 mm") && containsText("width 0.394 in") && containsText("plate 6.0 mm"));
     SectionSizes fillet;
-    fillet.legLying = 6;
-    fillet.legStanding = 6;
+    fillet.legBase = 6;
+    fillet.legUpright = 6;
     fillet.throat = 6 / std::sqrt(2.0);
     CHECK_THAT(sectionDrawing(fillet), containsText("throat 4.2 mm") && containsText("leg, upright plate 6.0 mm"));
     CHECK(sectionDrawing(fillet).find("class=\"fused\" d") == std::string::npos); // fusion is unknown

@@ -46,7 +46,7 @@ HeatSourceData dataOf(const HeatSource& source, const MetalLattice& lattice) {
 } // namespace
 
 SourceWeights::SourceWeights(gl::ShaderLibrary& shaders)
-    : sum_(shaders.compute("metal/heat/normalise_sources.comp")),
+    : sum_(shaders.compute("metal/heat/sum_source_weights.comp")),
       sums_(gl::Buffer::gpuOnly("heat source sums", HEAT_SOURCES * sizeof(float))) {}
 
 void SourceWeights::write(std::span<const HeatSource> sources, const MetalLattice& lattice, HeatBlock& block) {

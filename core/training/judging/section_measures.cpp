@@ -131,21 +131,21 @@ class Marks {
         const double leg1 = station_.leg1.value_or(0), leg2 = station_.leg2.value_or(0);
         drawUnfusedCorner(leg1, leg2);
         if (leg1 <= 0 || leg2 <= 0) return;
-        const Place lying(leg1, 0), standing(0, leg2), corner(0);
-        length(&WeldStation::leg1, corner, lying);
-        length(&WeldStation::leg2, corner, standing);
-        length(&WeldStation::toeWidth, lying, standing);
+        const Place base(leg1, 0), upright(0, leg2), corner(0);
+        length(&WeldStation::leg1, corner, base);
+        length(&WeldStation::leg2, corner, upright);
+        length(&WeldStation::toeWidth, base, upright);
         length(&WeldStation::throat, corner, station_.throat.value_or(0) * throatWay());
-        drawConvexity(lying, standing);
+        drawConvexity(base, upright);
         drawCornerPenetration();
         length(&WeldStation::rootFusion, corner, Place(-station_.rootFusion.value_or(0), 0));
-        angle(&WeldStation::edgeAngle1, lying, {-1, 0}, {0, 1});
-        angle(&WeldStation::edgeAngle2, standing, {0, -1}, {1, 0});
-        fault(&WeldStation::overlap1, spacing_, lying, lying - Place(station_.overlap1.value_or(0), 0));
-        fault(&WeldStation::overlap2, spacing_, standing, standing - Place(0, station_.overlap2.value_or(0)));
+        angle(&WeldStation::edgeAngle1, base, {-1, 0}, {0, 1});
+        angle(&WeldStation::edgeAngle2, upright, {0, -1}, {1, 0});
+        fault(&WeldStation::overlap1, spacing_, base, base - Place(station_.overlap1.value_or(0), 0));
+        fault(&WeldStation::overlap2, spacing_, upright, upright - Place(0, station_.overlap2.value_or(0)));
         const Place beside(spacing_, -station_.undercut1.value_or(0)), over(-station_.undercut2.value_or(0), spacing_);
-        fault(&WeldStation::undercut1, resolution_, lying + Place(spacing_, 0), lying + beside);
-        fault(&WeldStation::undercut2, resolution_, standing + Place(0, spacing_), standing + over);
+        fault(&WeldStation::undercut1, resolution_, base + Place(spacing_, 0), base + beside);
+        fault(&WeldStation::undercut2, resolution_, upright + Place(0, spacing_), upright + over);
     }
 
     void drawLevel(const SectionFaces& faces, bool butt) {
@@ -208,15 +208,15 @@ class Marks {
         return nearest ? glm::normalize(*nearest) : Place(std::numbers::sqrt2 / 2);
     }
 
-    void drawConvexity(Place lying, Place standing) {
-        const Place way = (standing - lying) / glm::length(standing - lying), out(way.y, -way.x);
-        const double chord = glm::length(standing - lying);
+    void drawConvexity(Place base, Place upright) {
+        const Place way = (upright - base) / glm::length(upright - base), out(way.y, -way.x);
+        const double chord = glm::length(upright - base);
         const auto highest = anchors_.onOutline([&](Place place) -> std::optional<double> {
-            const double share = glm::dot(place - lying, way) / chord;
+            const double share = glm::dot(place - base, way) / chord;
             if (share <= 0.1 || share >= 0.9 || place.x <= 0 || place.y <= 0) return std::nullopt;
-            return glm::dot(place - lying, out);
+            return glm::dot(place - base, out);
         });
-        const Place foot = lying + way * (highest ? glm::dot(*highest - lying, way) : 0.5 * chord);
+        const Place foot = base + way * (highest ? glm::dot(*highest - base, way) : 0.5 * chord);
         length(&WeldStation::convexity, foot, foot + out * station_.convexity.value_or(0));
     }
 
@@ -237,9 +237,8 @@ class Marks {
         const double unfused = station_.lackOfFusion.value_or(0), inside = 0.25 * spacing_;
         if (unfused <= 0) return;
         const double probe = 0.5 * unfused;
-        const bool lying = leg2 <= 0 || (leg1 > 0 && !anchors_.fused({probe, -inside}));
-        fault(&WeldStation::lackOfFusion, unfused, resolution_, Place(0),
-              lying ? Place(unfused, 0) : Place(0, unfused));
+        const bool base = leg2 <= 0 || (leg1 > 0 && !anchors_.fused({probe, -inside}));
+        fault(&WeldStation::lackOfFusion, unfused, resolution_, Place(0), base ? Place(unfused, 0) : Place(0, unfused));
     }
 
     void drawFusedWidth(double upper) {

@@ -260,8 +260,8 @@ void CutLayers::measureLevel(const WeldOutline& outline, Section& section) const
 }
 
 void CutLayers::measureCorner(const WeldOutline& outline, glm::ivec2 corner, Section& section) const {
-    const PlateFace lying{{columnPlace(corner.x), rowHeight(corner.y)}};
-    section.fillet = measureFillet(outline, lying, spacing_);
+    const PlateFace base{{columnPlace(corner.x), rowHeight(corner.y)}};
+    section.fillet = measureFillet(outline, base, spacing_);
     if (!section.openCorner) {
         section.rootFusion = mean([&](const Layer& l) { return rootFusion(l.slice, corner, cut_.fusion) * spacing_; });
         section.rootFused =
@@ -279,7 +279,7 @@ void CutLayers::measureCorner(const WeldOutline& outline, glm::ivec2 corner, Sec
             faces[face].high += fused[face].y * spacing_ / used();
         }
     }
-    if (section.fillet) section.undercut = undercutBeside(outline, lying, *section.fillet, spacing_);
+    if (section.fillet) section.undercut = undercutBeside(outline, base, *section.fillet, spacing_);
 }
 
 void CutLayers::measureShape(const SectionMap& map, Section& section) const {

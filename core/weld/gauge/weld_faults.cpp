@@ -55,14 +55,14 @@ std::array<std::optional<double>, 2> undercutBeside(const WeldOutline& outline, 
             grooveDepth(outline, face, {weld.high - inside, weld.high + reach}, spacing)};
 }
 
-std::array<std::optional<double>, 2> undercutBeside(const WeldOutline& outline, const PlateFace& lying,
+std::array<std::optional<double>, 2> undercutBeside(const WeldOutline& outline, const PlateFace& base,
                                                     const FilletShape& fillet, double spacing) {
-    const PlateFace standing{lying.origin, lying.out, lying.along};
+    const PlateFace upright{base.origin, base.out, base.along};
     const double inside = kToeSlack * spacing, reach = reachOf(spacing);
     const auto beside = [&](const PlateFace& face, double leg) {
         return grooveDepth(outline, face, {leg - inside, leg + reach}, spacing);
     };
-    return {beside(lying, fillet.toes[0].place), beside(standing, fillet.toes[1].place)};
+    return {beside(base, fillet.toes[0].place), beside(upright, fillet.toes[1].place)};
 }
 
 } // namespace meltpool

@@ -17,9 +17,9 @@ std::optional<double> grooveDepth(const WeldOutline& outline, const PlateFace& f
 std::array<std::optional<double>, 2> undercutBeside(const WeldOutline& outline, const PlateFace& face,
                                                     const FaceStretch& weld, double spacing);
 
-/// Returns the depth of the grooves beside a fillet, m: on the faces of the base plate and the upright plate. `lying`
+/// Returns the depth of the grooves beside a fillet, m: on the faces of the base plate and the upright plate. `base`
 /// as for measureFillet().
-std::array<std::optional<double>, 2> undercutBeside(const WeldOutline& outline, const PlateFace& lying,
+std::array<std::optional<double>, 2> undercutBeside(const WeldOutline& outline, const PlateFace& base,
                                                     const FilletShape& fillet, double spacing);
 
 /// Distance from a toe within which a groove is looked for, spacings and m; the greater of both counts.

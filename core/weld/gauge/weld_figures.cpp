@@ -187,12 +187,12 @@ void takeFillet(const Section& section, WeldStation& station) {
         station.middle = (*station.leg1 - *station.leg2) / (2 * std::numbers::sqrt2);
     }
     if (!section.fusedFaces) return;
-    const auto& [lying, standing] = *section.fusedFaces;
-    const double unfused = std::max(unfusedFrom(lying, *station.leg1), unfusedFrom(standing, *station.leg2));
+    const auto& [base, upright] = *section.fusedFaces;
+    const double unfused = std::max(unfusedFrom(base, *station.leg1), unfusedFrom(upright, *station.leg2));
     station.lackOfFusion = unfused > 0 ? unfused : -section.rootFusion.value_or(0);
     if (!section.fillet) return;
-    station.overlap1 = *station.leg1 - lying.high;
-    station.overlap2 = *station.leg2 - standing.high;
+    station.overlap1 = *station.leg1 - base.high;
+    station.overlap2 = *station.leg2 - upright.high;
 }
 
 } // namespace

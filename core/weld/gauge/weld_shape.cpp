@@ -160,14 +160,14 @@ double areaUnder(const Line& back, const Line& ahead, std::span<const glm::dvec2
 }
 
 FilletArc filletArc(const Line& back, const Line& ahead, double spacing) {
-    const Flank lying(back, 1, ahead.back().y, spacing), standing(ahead, 0, back.back().x, spacing);
+    const Flank base(back, 1, ahead.back().y, spacing), upright(ahead, 0, back.back().x, spacing);
     Line surface(back.rbegin(), back.rend());
     surface.insert(surface.end(), ahead.begin() + 1, ahead.end());
     FilletArc arc{{back.back().x, ahead.back().y}};
     for (int round = 0; round < kRounds; ++round) {
         arc.rise = riseOf(surface, arc);
-        arc.legs = {lying.toe([&](double at) { return -arc.inwards(at, 0); }),
-                    standing.toe([&](double at) { return -arc.inwards(at, 1); })};
+        arc.legs = {base.toe([&](double at) { return -arc.inwards(at, 0); }),
+                    upright.toe([&](double at) { return -arc.inwards(at, 1); })};
     }
     return arc;
 }
@@ -264,8 +264,8 @@ BeadShape measureBead(const WeldOutline& outline, const PlateFace& face, double 
     return bead;
 }
 
-std::optional<FilletShape> measureFillet(const WeldOutline& outline, const PlateFace& lying, double spacing) {
-    Line line = inFrame(outline, lying);
+std::optional<FilletShape> measureFillet(const WeldOutline& outline, const PlateFace& base, double spacing) {
+    Line line = inFrame(outline, base);
     FilletShape fillet;
     fillet.throat = throatOf(line);
     if (!std::isfinite(fillet.throat) || fillet.throat < kLeastThroat * spacing) return std::nullopt;

@@ -74,6 +74,6 @@ BeadShape measureBead(const WeldOutline& outline, const PlateFace& face, double 
 /// Measures the fillet in the corner at the face's origin; the face is that of the base plate, and the other one goes
 /// up along its `out`. The flanks go up to three quarters of the other leg. Nothing if the weld's surface is nearer to
 /// the corner than 1.1 spacings.
-std::optional<FilletShape> measureFillet(const WeldOutline& outline, const PlateFace& lying, double spacing);
+std::optional<FilletShape> measureFillet(const WeldOutline& outline, const PlateFace& base, double spacing);
 
 } // namespace meltpool

@@ -78,7 +78,7 @@ TEST_CASE("every imperfection has one row with a name", "[figures]") {
         CHECK_FALSE(each.isMeasured()); // imperfections inside the metal are not measured
         CHECK(findImperfection(each.estimate) != nullptr);
     }
-    CHECK(imperfectionName("not_filled_up") == "not filled up");
+    CHECK(imperfectionName("not_filled_up") == "incompletely filled groove");
     CHECK(imperfectionName("of_a_newer_program") == "of a newer program");
 }
 

@@ -257,7 +257,7 @@ TEST_CASE("the outline is the edge of the largest piece: no pores, no drops in t
 
 TEST_CASE("legs, throat and angles of fillets are exact, with equal and unequal legs", "[gauge]") {
     for (const glm::dvec2 legs : {glm::dvec2(5, 5), glm::dvec2(7, 4), glm::dvec2(3, 4.5)}) {
-        INFO(legs.x << " mm along the lying plate, " << legs.y << " mm up the standing one");
+        INFO(legs.x << " mm along the base plate, " << legs.y << " mm up the upright one");
         const auto fillet = measureFillet(teeWith({{legs.x, 0}, {0, legs.y}}), {}, 0);
         REQUIRE(fillet);
         CHECK(fillet->toes[0].place == Approx(legs.x * kMm));
