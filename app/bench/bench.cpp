@@ -2,6 +2,7 @@
 
 #include "app/platform/lock_notice.hpp"
 #include "app/platform/program_info.hpp"
+#include "app/platform/result_head.hpp"
 #include "app/platform/stop_signals.hpp"
 #include "core/base/error.hpp"
 #include "core/base/file_lock.hpp"
@@ -29,28 +30,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int kWarmUps = 2;
-
-std::string today() {
-    const std::time_t now = std::time(nullptr);
-    char text[32];
-    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", std::gmtime(&now));
-    return text;
-}
-
-/// Name of the processor, if the system has it.
-std::string processorName() {
-    std::ifstream stream("/proc/cpuinfo");
-    for (std::string line; std::getline(stream, line);)
-        if (line.starts_with("model name")) return std::string(trimText(line.substr(line.find(':') + 1)));
-    return "unknown";
-}
-
-/// Programs that wanted a processor at a time over the last minute, this one among them; -1 if the system has no count.
-double loadAverage() {
-    double load = -1;
-    std::ifstream("/proc/loadavg") >> load;
-    return load;
-}
 
 void printRow(const BenchRow& row) {
     std::printf("%-10s %-40s %9zu %11.3f %9.1f %10.2f", row.suite.c_str(), row.what.c_str(), row.particles, row.stepMs,
@@ -125,17 +104,8 @@ void keepLeast(BenchRow& row, BenchRow again) {
 }
 
 std::string benchJson(const gl::ContextInfo& driver, const std::vector<BenchRow>& rows, bool complete) {
-    nlohmann::ordered_json json;
+    nlohmann::ordered_json json = resultHead(driver);
     json["complete"] = complete;
-    json["renderer"] = driver.renderer;
-    json["driver"] = driver.version;
-    json["processor"] = processorName();
-    json["threads"] = std::thread::hardware_concurrency();
-    json["driver_threads_spared"] = gl::driverIsSingleThreaded();
-    if (const double load = loadAverage(); load >= 0) json["load_average"] = load;
-    json["version"] = programVersion();
-    json["commit"] = programCommit();
-    json["date"] = today();
     auto& list = json["rows"] = nlohmann::ordered_json::array();
     for (const BenchRow& row : rows) {
         nlohmann::ordered_json object;
@@ -158,7 +128,7 @@ std::string benchJson(const gl::ContextInfo& driver, const std::vector<BenchRow>
     return json.dump(2) + "\n";
 }
 
-void runBench(const std::string& suite, const std::filesystem::path& jsonFile) {
+void runBench(const std::string& suite, const ResultPlace& place) {
     const StopSignals signals("\nmeltpool: stops after this row; Ctrl-C again ends it at once\n");
     std::vector<BenchPart> chosen;
     std::string known;
@@ -169,6 +139,7 @@ void runBench(const std::string& suite, const std::filesystem::path& jsonFile) {
     if (chosen.empty()) throw InputError("bench suite " + quote(suite) + " is unknown; expected one of " + known);
     if (suite == "weld") gl::runDriverSingleThreaded(); // as the window and runs without pictures do
     const gl::HeadlessContext context(false);
+    const std::filesystem::path jsonFile = place.file(context.info(), "bench-" + (suite.empty() ? "all" : suite));
     const bool keeps = !jsonFile.empty() && isPlainFile(jsonFile);
     std::optional<FileLock> lock;
     if (keeps) tellUnlocked(lock.emplace(jsonFile.string() + ".lock", jsonFile));

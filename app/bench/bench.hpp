@@ -1,6 +1,7 @@
 // The benchmark: suites of named measurements whose rows become a table and a JSON file.
 #pragma once
 
+#include "app/platform/result_head.hpp"
 #include "core/gl/context.hpp"
 #include "core/gl/profiler.hpp"
 #include "core/gl/program.hpp"
@@ -78,13 +79,12 @@ struct BenchPart {
 /// All parts (app/bench/parts.cpp).
 std::span<const BenchPart> benchParts();
 
-/// Report of some rows: renderer, driver, processor, version, commit and date once at the top, then one object per row.
-/// `complete`: no row is to come.
+/// Report of some rows: resultHead() at the top, then one object per row. `complete`: no row is to come.
 std::string benchJson(const gl::ContextInfo& driver, const std::vector<BenchRow>& rows, bool complete);
 
-/// Runs `meltpool bench`: one suite, or all for "". Prints the table and writes the JSON if a file is named, again
-/// after each part. A signal ends it after the current row: RuntimeFault, with the rows written. Throws InputError,
+/// Runs `meltpool bench`: one suite, or all for "". Prints the table and writes the JSON to its place, again after each
+/// part. A signal ends it after the current row: RuntimeFault, with the rows written. Throws InputError,
 /// listing the suites, for an unknown one.
-void runBench(const std::string& suite, const std::filesystem::path& jsonFile);
+void runBench(const std::string& suite, const ResultPlace& place);
 
 } // namespace meltpool

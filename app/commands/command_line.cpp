@@ -51,10 +51,11 @@ struct Arguments {
     bool unrecorded = false;
     RecordingsRequest recordings;
     std::string suite;
-    std::filesystem::path benchJson;
+    ResultPlace benchResults;
     ValidationRequest validation;
     CheckRequest check;
     ReportRequest report;
+    HistoryRequest history;
     AttemptArguments attempts;
     std::string listed; ///< lesson whose values are listed; empty: the catalogue
     bool listedAsJson = false;
@@ -132,17 +133,30 @@ void addRecordings(CLI::App& app, RecordingsRequest& r) {
         ->excludes(table);
 }
 
+void addResultPlace(CLI::App& command, ResultPlace& place) {
+    CLI::Option* file = command.add_option("--json", place.named, "Write the results into this file");
+    file->type_name("FILE");
+    command
+        .add_option("--results", place.folder, "Write the results into FOLDER/MACHINE/COMMIT-NAME.json, for 'history'")
+        ->type_name("FOLDER")
+        ->excludes(file);
+}
+
 void addOthers(CLI::App& app, Arguments& arguments) {
     CLI::App* bench = app.add_subcommand("bench", "Measure the speed of this machine");
     std::string suites = "Suite; all where none is named";
     for (const BenchPart& part : benchParts())
         suites += "\n" + std::string(part.suite) + ": " + std::string(part.note);
     bench->add_option("SUITE", arguments.suite, suites);
-    bench->add_option("--json", arguments.benchJson, "Write the rows into this file")->type_name("FILE");
+    addResultPlace(*bench, arguments.benchResults);
     CLI::App* validate = app.add_subcommand("validate", "Hold the metal against exact solutions and experiments");
     validate->add_option("CASE", arguments.validation.cases,
                          "Case files (.toml) or folders of them; all that ship where none is named");
-    validate->add_option("--json", arguments.validation.json, "Write the numbers into this file")->type_name("FILE");
+    addResultPlace(*validate, arguments.validation.results);
+    CLI::App* history = app.add_subcommand("history", "Draw results of bench and validate over time, as one HTML page");
+    history->add_option("FOLDER", arguments.history.folder, "Folder that --results of bench and validate has filled")
+        ->required();
+    history->add_option("--out", arguments.history.page, "The page; by default history.html")->type_name("FILE");
     CLI::App* check = app.add_subcommand("check", "Weld lessons and hold score, verdict and weld against expectations");
     check
         ->add_option("CHECK", arguments.check.checks,
@@ -220,13 +234,15 @@ int dispatch(const CLI::App& app, const Arguments& arguments) {
     if (app.got_subcommand("run"))
         runLesson(arguments.run);
     else if (app.got_subcommand("bench"))
-        runBench(arguments.suite, arguments.benchJson);
+        runBench(arguments.suite, arguments.benchResults);
     else if (app.got_subcommand("validate"))
         return runValidation(arguments.validation) ? kDone : kFailed;
     else if (app.got_subcommand("check"))
         return runChecks(arguments.check) ? kDone : kFailed;
     else if (app.got_subcommand("report"))
         writeReports(arguments.report);
+    else if (app.got_subcommand("history"))
+        writeHistory(arguments.history);
     else if (app.got_subcommand("recordings"))
         return runRecordings(arguments.recordings) ? kDone : kFailed;
     else if (app.got_subcommand("doctor"))
@@ -304,7 +320,7 @@ void declare(CLI::App& app, Arguments& arguments) {
     addAttemptCommands(app, arguments.attempts);
     addOthers(app, arguments);
     for (const char* command :
-         {"run", "replay", "compare", "demonstration", "check", "report", "recordings", "validate"})
+         {"run", "replay", "compare", "demonstration", "check", "report", "history", "recordings", "validate"})
         app.get_subcommand(command)->add_flag("--quiet", arguments.quiet,
                                               "Say only what is wrong, and the path of the result");
     app.footer(footer()); // last: commands would inherit it

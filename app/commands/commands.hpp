@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/desktop/desktop.hpp"
+#include "app/platform/result_head.hpp"
 #include "core/training/lesson/lesson.hpp"
 
 #include <filesystem>
@@ -42,7 +43,7 @@ bool runTrainer(const DesktopOptions& options);
 /// Arguments of `meltpool validate`.
 struct ValidationRequest {
     std::vector<std::filesystem::path> cases; ///< empty: all shipped cases
-    std::filesystem::path json;               ///< empty: none
+    ResultPlace results;
 };
 
 /// Runs validation cases and prints every number next to its expected value. Returns false when a case failed; throws
@@ -70,6 +71,16 @@ struct ReportRequest {
 /// Writes a page for each source. Throws InputError for a source of no known kind, and whatever readRunResults(),
 /// readRecordResults() and writeFile() throw.
 void writeReports(const ReportRequest& request);
+
+/// Arguments of `meltpool history`.
+struct HistoryRequest {
+    std::filesystem::path folder; ///< results of bench and validate, see readResultHistory()
+    std::filesystem::path page = "history.html";
+};
+
+/// Writes the page of all results in the folder, and tells on standard error of each JSON file that is no complete
+/// result. Throws as readResultHistory() and writeFile().
+void writeHistory(const HistoryRequest& request);
 
 /// Arguments of `meltpool recordings`.
 struct RecordingsRequest {

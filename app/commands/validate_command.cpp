@@ -1,7 +1,7 @@
 // `meltpool validate`: the error of the metal against exact solutions and experiments.
 #include "app/commands/commands.hpp"
 #include "app/platform/lock_notice.hpp"
-#include "app/platform/program_info.hpp"
+#include "app/platform/result_head.hpp"
 #include "app/platform/say.hpp"
 #include "app/platform/stop_signals.hpp"
 #include "core/base/error.hpp"
@@ -73,9 +73,10 @@ Json meanErrorJson(const MeanError& error) {
 /// File of --json. It is written again after every case, so that a stopped run leaves its results.
 class NumbersFile {
   public:
-    NumbersFile(std::filesystem::path file, const gl::HeadlessContext& context) : file_(std::move(file)) {
+    NumbersFile(std::filesystem::path file, const std::string& set, const gl::HeadlessContext& context)
+        : file_(std::move(file)), json_(resultHead(context.info())) {
         if (!file_.empty() && isPlainFile(file_)) tellUnlocked(lock_.emplace(lockName(file_), file_));
-        json_ = {{"renderer", context.info().renderer}, {"version", programVersion()}, {"commit", programCommit()}};
+        json_["set"] = set;
         json_["complete"] = false;
         json_["passed"] = false;
         json_["cases"] = Json::array();
@@ -125,6 +126,13 @@ std::vector<std::filesystem::path> withoutFolders(const std::vector<std::filesys
     return files;
 }
 
+/// Name of the chosen cases in a history: that of the first file or folder; "all" where none is named.
+std::string setName(const std::vector<std::filesystem::path>& named) {
+    if (named.empty()) return "all";
+    const std::filesystem::path path = named.front().has_filename() ? named.front() : named.front().parent_path();
+    return path.stem().string();
+}
+
 /// Throws if the file of --json is one that is read.
 void requireNoSource(const std::filesystem::path& json, const std::vector<std::filesystem::path>& sources) {
     for (const auto& source : sources) {
@@ -162,14 +170,16 @@ bool runValidation(const ValidationRequest& request) {
     const auto files =
         request.cases.empty() ? validationCaseFiles(resourceFolder() / "validation") : withoutFolders(request.cases);
     // Every file is read before the first is run: a fault in the last must not cost the time of the others.
-    requireNoSource(request.json, files);
+    requireNoSource(request.results.named, files);
     std::vector<ValidationCase> cases;
     for (const auto& file : files)
         cases.push_back(readValidationCase(file));
 
     const gl::HeadlessContext context(false);
     gl::ShaderLibrary shaders(resourceFolder() / "shaders");
-    NumbersFile numbers(request.json, context);
+    const std::string set = setName(request.cases);
+    const std::filesystem::path place = request.results.file(context.info(), "validate-" + set);
+    NumbersFile numbers(place, set, context);
     Ends ends;
     std::vector<std::string> failed;
     std::vector<ValidationResult> results;
@@ -193,7 +203,7 @@ bool runValidation(const ValidationRequest& request) {
         std::printf("failed: %s\n", name.c_str());
     std::fflush(stdout);
     numbers.finish(failed.empty(), errors);
-    if (!request.json.empty()) sayResult({}, request.json);
+    if (!place.empty()) sayResult({}, place);
     if (!ends.input.empty()) throw InputError(ends.input);
     if (!ends.machine.empty()) throw RuntimeFault(ends.machine);
     return failed.empty();

@@ -67,6 +67,12 @@ void SvgText::polyline(std::string_view points, std::string_view style) {
     text_ += "<polyline" + attribute("class", style) + attribute("points", points) + "/>";
 }
 
+void SvgText::dot(double x, double y, std::string_view style, std::string_view tooltip) {
+    constexpr double kRadius = 2.5;
+    text_ += "<circle" + attribute("class", style) + attribute("cx", x) + attribute("cy", y) + attribute("r", kRadius) +
+             "><title>" + escaped(tooltip) + "</title></circle>";
+}
+
 void SvgText::path(std::string_view commands, std::string_view style) {
     text_ += "<path" + attribute("class", style) + attribute("d", commands) + "/>";
 }

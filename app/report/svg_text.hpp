@@ -23,6 +23,8 @@ class SvgText {
     void word(double x, double y, std::string_view anchor, std::string_view word, std::string_view style = {});
     /// Adds an open line through "x,y x,y ..".
     void polyline(std::string_view points, std::string_view style);
+    /// Adds a dot with a tooltip.
+    void dot(double x, double y, std::string_view style, std::string_view tooltip);
     /// Adds any outline, in the commands of an SVG path.
     void path(std::string_view commands, std::string_view style);
 

@@ -10,8 +10,9 @@ using meltpool::test::containsText;
 using meltpool::test::runMeltpool;
 
 TEST_CASE("every command explains itself", "[app]") {
-    for (const char* command : {"", "run ", "replay ", "compare ", "demonstration ", "bench ", "doctor ", "lessons ",
-                                "recordings ", "check ", "report ", "validate ", "completion ", "manual "}) {
+    for (const char* command :
+         {"", "run ", "replay ", "compare ", "demonstration ", "bench ", "doctor ", "lessons ", "recordings ", "check ",
+          "report ", "validate ", "history ", "completion ", "manual "}) {
         INFO(command);
         const test::Outcome outcome = runMeltpool(std::string(command) + "--help");
         CHECK(outcome.code == 0);

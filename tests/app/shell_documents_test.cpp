@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 const std::vector<std::string>& commands() {
     static const std::vector<std::string> names{"run",      "replay",     "compare", "demonstration", "bench",
                                                 "validate", "check",      "report",  "recordings",    "doctor",
-                                                "lessons",  "completion", "manual"};
+                                                "lessons",  "completion", "manual",  "history"};
     return names;
 }
 

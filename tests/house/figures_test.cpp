@@ -1,4 +1,5 @@
-// Measured figures in the handbook against tests/bench/results: a comment after a figure names its place there.
+// Measured figures in the handbook against tests/bench/results: a comment after a figure names its place in the newest
+// result of a machine.
 #include "core/base/text.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/places.hpp"
@@ -9,6 +10,7 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <map>
 #include <optional>
 #include <regex>
 
@@ -64,14 +66,40 @@ std::string withDecimalsOf(const std::string& shown, double value) {
     return text.data();
 }
 
-/// Returns the command that makes a file of results. Files of `validate` are named validate-FOLDER-MACHINE.json, files
-/// of `bench` SUITE-MACHINE.json.
-std::string commandFor(const std::string& file) {
-    const auto words = splitText(file, '-');
-    const bool validates = words[0] == "validate" && words.size() > 1;
-    return "meltpool " +
-           (validates ? "validate tests/validation/" + std::string(words[1]) : "bench " + std::string(words[0])) +
-           " --json tests/bench/results/" + file;
+/// A result that a page names: "bench-weld" of the page's machine, or "bench-weld@MACHINE".
+struct NamedResult {
+    std::string name, machine;
+};
+
+NamedResult namedResult(const std::string& words, const std::string& machineOfPage) {
+    const size_t at = words.find('@');
+    return at == std::string::npos ? NamedResult{words, machineOfPage}
+                                   : NamedResult{words.substr(0, at), words.substr(at + 1)};
+}
+
+/// Returns the newest complete result COMMIT-NAME.json of a machine; null if there is none.
+Json newestResult(const fs::path& results, const NamedResult& named) {
+    Json newest;
+    std::error_code missing;
+    for (const auto& entry : fs::directory_iterator(results / named.machine, missing)) {
+        if (!entry.path().stem().string().ends_with("-" + named.name)) continue;
+        // "COMMIT-bench-stereo-monado" is no result of "monado": the name begins behind the commit.
+        const std::string stem = entry.path().stem().string();
+        const std::string commit = stem.substr(0, stem.size() - named.name.size() - 1);
+        if (commit.find("bench") != std::string::npos || commit.find("validate") != std::string::npos) continue;
+        Json result = Json::parse(readTextFile(entry.path()));
+        if (!result.value("complete", true)) continue;
+        if (newest.is_null() || newest.at("date") < result.at("date")) newest = std::move(result);
+    }
+    return newest;
+}
+
+/// Returns the command that makes a result.
+std::string commandFor(const std::string& name) {
+    const bool validates = name.starts_with("validate-");
+    const std::string what = name.substr(name.find('-') + 1);
+    return "meltpool " + (validates ? "validate tests/validation/" + what : "bench " + what) +
+           " --results tests/bench/results";
 }
 
 /// A page with the figures of the results, and a sentence for each figure without a result.
@@ -82,22 +110,28 @@ struct FilledPage {
 };
 
 FilledPage fillIn(const std::string& page, const fs::path& results) {
-    // The form is NUMBER<!-- figure: FILE/STEPS -->; an empty number has question marks for its digits.
+    // The form is NUMBER<!-- figure: NAME/STEPS -->; an empty number has question marks for its digits.
     static const std::regex kFigure(R"((-?[0-9?]+(?:\.[0-9?]+)?)(<!-- figure: ([^/\n]+)/(.+?) -->))");
+    static const std::regex kMachine(R"(<!-- machine: (\S+) -->)");
     FilledPage filled;
+    std::smatch machine;
+    std::regex_search(page, machine, kMachine);
+    std::map<std::string, Json> found;
     auto rest = page.begin();
     for (std::sregex_iterator mark(page.begin(), page.end(), kFigure), end; mark != end; ++mark) {
-        const std::string shown = (*mark)[1], file = (*mark)[3].str() + ".json", steps = (*mark)[4];
+        const std::string shown = (*mark)[1], words = (*mark)[3], steps = (*mark)[4];
+        const NamedResult named = namedResult(words, machine.empty() ? std::string() : machine[1].str());
         ++filled.figures;
         filled.text.append(rest, (*mark)[0].first);
         rest = (*mark)[2].first; // the comment remains
-        std::optional<double> value;
-        if (fs::exists(results / file)) value = findFigure(Json::parse(readTextFile(results / file)), steps);
+        if (!found.contains(words)) found[words] = newestResult(results, named);
+        const std::optional<double> value = findFigure(found[words], steps);
         const std::string now = value ? withDecimalsOf(shown, *value) : shown;
         filled.text += now;
         if (!value)
-            filled.faults.push_back(file + " has no number at " + steps + "; " + commandFor(file) + " makes it");
-        if (now != shown) filled.changed.push_back(shown + " is " + now + " at " + steps + " of " + file);
+            filled.faults.push_back(named.name + " of machine '" + named.machine + "' has no number at " + steps +
+                                    "; " + commandFor(named.name) + " makes it");
+        if (now != shown) filled.changed.push_back(shown + " is " + now + " at " + steps + " of " + words);
     }
     filled.text.append(rest, page.end());
     return filled;
@@ -136,8 +170,10 @@ TEST_CASE("a comment behind a figure names its place in the results", "[house]")
     CHECK_FALSE(findFigure(results, "rows/what=no such/ms").has_value());
     CHECK(withDecimalsOf("?.?", -3.46) == "-3.5");
     CHECK(withDecimalsOf("12", 2.5001) == "3");
-    CHECK(commandFor("validate-clad-llvmpipe-2core.json") ==
-          "meltpool validate tests/validation/clad --json tests/bench/results/validate-clad-llvmpipe-2core.json");
+    CHECK(commandFor("validate-clad") == "meltpool validate tests/validation/clad --results tests/bench/results");
+    CHECK(commandFor("bench-weld") == "meltpool bench weld --results tests/bench/results");
+    CHECK(namedResult("bench-weld@a-card", "here").machine == "a-card");
+    CHECK(namedResult("bench-weld", "here").machine == "here");
 }
 
 } // namespace meltpool::test
