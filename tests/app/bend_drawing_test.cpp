@@ -56,7 +56,7 @@ TEST_CASE("an opening is drawn as long as it is, where it lies on the strap's fa
         }
     CHECK_THAT(bendSentence(test->straps[0]),
                test::containsText("Root bend, 0 to 40 mm: fails. Longest opening 4 mm") &&
-                   test::containsText("finer than the particles"));
+                   test::containsText("too fine to see"));
     CHECK_THAT(bendSentence(test->straps[1]),
                test::containsText("Face bend, 0 to 40 mm: passes.") && test::containsText("Nothing opens."));
 }

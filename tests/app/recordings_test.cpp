@@ -288,7 +288,7 @@ TEST_CASE("an attempt of this run of the program is never removed, whatever othe
     CHECK(keepWithinLimit(folder, 1, own).find("oldest") != std::string::npos);
     CHECK(fs::exists(made));
     CHECK(keepWithinLimit(folder, 1, own).empty());
-    CHECK_THAT(nearLimit(folder, 1, own), containsText("All are of this session"));
+    CHECK_THAT(nearLimit(folder, 1, own), containsText("All are from this session"));
 }
 
 TEST_CASE("a start near the limit is told before anything is removed, and a removal when it happens", "[app]") {

@@ -279,7 +279,7 @@ TEST_CASE("a run's folder becomes a page by one command", "[app]") {
     REQUIRE(alone.code == 0);
     const std::string page = readTextFile(folder / "telemetry.html");
     CHECK(firstUnclosed(page) == "");
-    CHECK_THAT(page, containsText("made of the record alone"));
+    CHECK_THAT(page, containsText("made from the record alone"));
     const RunResults hand =
         readRecordResults(folder / "telemetry.csv",
                           findLesson("gmaw-bead", test::testFolder().parent_path() / "app" / "data" / "lessons"));

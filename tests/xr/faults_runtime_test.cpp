@@ -22,8 +22,8 @@ bool burns(const json& row) {
     return row["headset"]["tip"]["action"] == "burning";
 }
 
-bool tellsOfSomethingElse(const json& row) {
-    return row["headset"]["warning"].get<std::string>().find("something else") != std::string::npos;
+bool tellsOfAnotherProgram(const json& row) {
+    return row["headset"]["warning"].get<std::string>().find("another program") != std::string::npos;
 }
 
 auto modeIs(const char* mode) {
@@ -156,7 +156,7 @@ TEST_CASE("another program comes before the trainee's eyes: input and arc are go
         CHECK(trainer.waitFor([](const json& row) { return row["headset"]["tracked"] == false; }, show));
         CHECK(trainer.waitFor([](const json& row) { return row["torch"]["trigger"] == 0; }, show));
         CHECK(trainer.waitFor([](const json& row) { return row["headset"]["mirrored"] == false; }, show));
-        CHECK(trainer.waitFor(tellsOfSomethingElse, show));
+        CHECK(trainer.waitFor(tellsOfAnotherProgram, show));
         const int steps = trainer.now()["metal"]["steps"];
         CHECK(trainer.waitFor([&](const json& row) { return row["metal"]["steps"] > steps + 10; }, show));
         CHECK(trainer.waitFor(stateIs("running"), show));
