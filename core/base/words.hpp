@@ -23,7 +23,7 @@ using PhrasePlaces = std::initializer_list<PhrasePlace>;
 /// The sentences of one language.
 class Words {
   public:
-    /// Reads FOLDER/LANGUAGE.toml. Points join keys of nested tables: [result] again = "Again" is "result.button.again".
+    /// Reads FOLDER/LANGUAGE.toml. Points join keys of nested tables: [result] again = "Again" is "result.again".
     /// Throws InputError for a file that cannot be read, a value that is no text, and a sentence with an unmatched
     /// brace.
     Words(const std::filesystem::path& folder, std::string_view language);
