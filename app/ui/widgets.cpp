@@ -121,6 +121,17 @@ float wishedWidth(const Context& context, const char* text, ButtonKind kind, flo
     return std::max(context.points(width), words + 2 * margin);
 }
 
+/// ImGui::Button whose text stays in the middle where the frame's padding leaves it too little room: ImGui would begin the
+/// text at the padding and cut its end off.
+bool centredButton(const char* label, float wide) {
+    const ImVec2 padding = ImGui::GetStyle().FramePadding;
+    const float spare = std::max((wide - ImGui::CalcTextSize(label, nullptr, true).x) / 2, 0.0f);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(std::min(padding.x, spare), padding.y));
+    const bool clicked = ImGui::Button(label, {wide, 0});
+    ImGui::PopStyleVar();
+    return clicked;
+}
+
 /// Breaks the text into lines of at most `room` pixels.
 ShortText brokenIntoLines(const char* text, float room) {
     ShortText lines;
@@ -163,7 +174,7 @@ bool button(Context& context, std::string_view name, const char* text, ButtonKin
     const float words = wide - 2 * std::min(context.points(kTextMargin), ImGui::GetStyle().FramePadding.x);
     const bool fits = ImGui::CalcTextSize(text).x <= words + 1;
     const ShortText label = fits ? ShortText{text, "##", name} : ShortText{brokenIntoLines(text, words), "##", name};
-    const bool clicked = ImGui::Button(label.c_str(), {wide, 0});
+    const bool clicked = centredButton(label.c_str(), wide);
     if (kind == ButtonKind::main) ImGui::PopFont();
     ImGui::PopStyleColor(colours);
     markItem(context, name);
