@@ -12,7 +12,7 @@ constexpr double kPause = 0.5; // s
 
 } // namespace
 
-void ShaderWatch::update(gl::ShaderLibrary& shaders, gl::StepContext* other, Messages& messages, double now) {
+void ShaderWatch::update(gl::ShaderLibrary& shaders, gl::ContextThread* other, Messages& messages, double now) {
     if (now < next_) return;
     next_ = now + kPause;
     std::string faults;

@@ -3,8 +3,8 @@
 
 #include "app/desktop/step_context.hpp"
 #include "core/base/work_meter.hpp"
+#include "core/gl/context_thread.hpp"
 #include "core/gl/software_driver/software_driver.hpp"
-#include "core/gl/step_context.hpp"
 
 #include <chrono>
 #include <condition_variable>
@@ -19,7 +19,7 @@ namespace meltpool {
 
 /// Runs work on a thread with its own context. Between begin() and wait() the two threads must not touch the same
 /// memory. Memory written on either side before these two calls, or before run(), is visible after them.
-class StepThread final : public gl::StepContext {
+class StepThread final : public gl::ContextThread {
   public:
     explicit StepThread(std::unique_ptr<StepContext> context);
     ~StepThread() override;

@@ -5,12 +5,12 @@
 
 namespace meltpool {
 
-LessonRun::LessonRun(gl::ShaderLibrary& shaders, Activities& activities, Stopwatch now, gl::StepContext* stepContext)
-    : shaders_(shaders), activities_(activities), stepContext_(stepContext), now_(now) {}
+LessonRun::LessonRun(gl::ShaderLibrary& shaders, Activities& activities, Stopwatch now, gl::ContextThread* metalThread)
+    : shaders_(shaders), activities_(activities), metalThread_(metalThread), now_(now) {}
 
 void LessonRun::make(Lesson lesson) {
     free(); // the next metal may need its memory
-    auto trainer = std::make_unique<Trainer>(shaders_, std::move(lesson), stepContext_);
+    auto trainer = std::make_unique<Trainer>(shaders_, std::move(lesson), metalThread_);
     scene_ = std::make_unique<LessonScene>(shaders_, *trainer);
     trainer_ = std::move(trainer);
     clock_.reset();

@@ -23,9 +23,9 @@ struct RunFrame {
 
 class LessonRun {
   public:
-    /// Runs the metal of `activities`. `now`: clock that measures the steps. `stepContext`: context of the metal, see
+    /// Runs the metal of `activities`. `now`: clock that measures the steps. `metalThread`: context of the metal, see
     /// LessonMetal. All must outlive this.
-    LessonRun(gl::ShaderLibrary& shaders, Activities& activities, Stopwatch now, gl::StepContext* stepContext);
+    LessonRun(gl::ShaderLibrary& shaders, Activities& activities, Stopwatch now, gl::ContextThread* metalThread);
 
     /// Frees the old metal and its clock and makes that of this lesson. Throws InputError or RuntimeFault when memory
     /// or driver do not suffice; then there is none.
@@ -87,7 +87,7 @@ class LessonRun {
   private:
     gl::ShaderLibrary& shaders_;
     Activities& activities_;
-    gl::StepContext* stepContext_;
+    gl::ContextThread* metalThread_;
     Stopwatch now_;
     std::unique_ptr<Trainer> trainer_;
     std::unique_ptr<LessonScene> scene_; ///< scene of the trainer

@@ -21,9 +21,9 @@ double machineSeconds() {
 }
 
 LessonSession::LessonSession(gl::ShaderLibrary& shaders, Lesson lesson, Stopwatch stopwatch,
-                             gl::StepContext* stepContext)
+                             gl::ContextThread* metalThread)
     : values_(std::move(lesson)),
-      run_(shaders, activities_, stopwatch, stepContext),
+      run_(shaders, activities_, stopwatch, metalThread),
       picture_(shaders, {values_.lesson(), run_, activities_, lead_}),
       help_{{"cues", describe(attempt().cues().parameters)},
             {"sound", describe(sound_.parameters)},

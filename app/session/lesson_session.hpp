@@ -28,10 +28,10 @@ struct HelpSections {
 
 class LessonSession {
   public:
-    /// `stopwatch` measures the steps. `stepContext`: context of the metal, see LessonMetal; it must outlive the
+    /// `stopwatch` measures the steps. `metalThread`: context of the metal, see LessonMetal; it must outlive the
     /// session. Throws InputError when the shaders cannot be used.
     LessonSession(gl::ShaderLibrary& shaders, Lesson lesson, Stopwatch stopwatch = machineSeconds,
-                  gl::StepContext* stepContext = nullptr);
+                  gl::ContextThread* metalThread = nullptr);
     ~LessonSession() { end("the program ended"); }
 
     /// Takes another lesson, with the values of its file. A running one ends. Earlier results of sections() become

@@ -8,7 +8,7 @@
 
 namespace meltpool {
 
-void ParticleMirror::take(const ParticleView& original, gl::StepContext& there) {
+void ParticleMirror::take(const ParticleView& original, gl::ContextThread& there) {
     const std::array<const gl::Buffer*, kBuffers> from{original.positions, original.phases,       original.heats,
                                                        original.frozenAt,  original.latticeSlots, original.numbers};
     std::array<const std::byte*, kBuffers> memory{};

@@ -1,7 +1,7 @@
 // A copy of another context's particles in buffers of the calling thread, for surfaces and pictures there.
 #pragma once
 
-#include "core/gl/step_context.hpp"
+#include "core/gl/context_thread.hpp"
 #include "core/metal/state/particle_view.hpp"
 
 #include <array>
@@ -13,7 +13,7 @@ class ParticleMirror {
   public:
     /// Copies the buffers of `original` from `there`; they must be in memory that any thread reads
     /// (gl::directMemory()). No work may be under way there.
-    void take(const ParticleView& original, gl::StepContext& there);
+    void take(const ParticleView& original, gl::ContextThread& there);
     /// The particles of the last take().
     const ParticleView& view() const { return view_; }
     size_t bytes() const;

@@ -4,7 +4,7 @@
 
 namespace meltpool {
 
-LessonMetal::LessonMetal(gl::ShaderLibrary& shaders, const Lesson& lesson, gl::StepContext* there) : there_(there) {
+LessonMetal::LessonMetal(gl::ShaderLibrary& shaders, const Lesson& lesson, gl::ContextThread* there) : there_(there) {
     if (there_ == nullptr)
         metal_ = makeMetalModel(shaders, lesson);
     else

@@ -1,7 +1,7 @@
 // Holds the metal of a lesson in its context: the calling thread's, or another one whose steps wait for no picture.
 #pragma once
 
-#include "core/gl/step_context.hpp"
+#include "core/gl/context_thread.hpp"
 #include "core/metal/state/particle_mirror.hpp"
 #include "core/training/trainer/metal_model.hpp"
 
@@ -19,7 +19,7 @@ class LessonMetal {
   public:
     /// `there`: the metal's context, null for the calling thread's. It must outlive the metal, and any thread must be
     /// able to read its buffers (gl::directMemory()). Throws as makeMetalModel().
-    LessonMetal(gl::ShaderLibrary& shaders, const Lesson& lesson, gl::StepContext* there);
+    LessonMetal(gl::ShaderLibrary& shaders, const Lesson& lesson, gl::ContextThread* there);
     ~LessonMetal();
     LessonMetal(const LessonMetal&) = delete;
     LessonMetal& operator=(const LessonMetal&) = delete;
@@ -47,7 +47,7 @@ class LessonMetal {
   private:
     void stepTimed(const TorchSample& torch);
 
-    gl::StepContext* there_;
+    gl::ContextThread* there_;
     std::unique_ptr<MetalModel> metal_;
     std::optional<gl::Profiler> times_; ///< profiler of the other context: timer queries belong to one context
     mutable ParticleMirror mirror_;

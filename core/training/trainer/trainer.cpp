@@ -8,9 +8,9 @@
 
 namespace meltpool {
 
-Trainer::Trainer(gl::ShaderLibrary& shaders, Lesson lesson, gl::StepContext* stepContext)
+Trainer::Trainer(gl::ShaderLibrary& shaders, Lesson lesson, gl::ContextThread* metalThread)
     : lesson_(std::move(lesson)),
-      metal_(shaders, lesson_, stepContext),
+      metal_(shaders, lesson_, metalThread),
       identity_(identityOf(lesson_)),
       live_(liveParameters(lesson_)),
       figures_(metal_, recorder_) {

@@ -52,9 +52,9 @@ class StepWatcher {
 
 class Trainer {
   public:
-    /// Makes the metal. Throws InputError if the lesson's values are impossible here. `stepContext`: context of the
+    /// Makes the metal. Throws InputError if the lesson's values are impossible here. `metalThread`: context of the
     /// metal, see LessonMetal; all functions may then be called on its thread too.
-    Trainer(gl::ShaderLibrary& shaders, Lesson lesson, gl::StepContext* stepContext = nullptr);
+    Trainer(gl::ShaderLibrary& shaders, Lesson lesson, gl::ContextThread* metalThread = nullptr);
     ~Trainer();
     Trainer(const Trainer&) = delete;
     Trainer& operator=(const Trainer&) = delete;

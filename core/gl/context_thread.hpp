@@ -7,9 +7,9 @@ namespace meltpool::gl {
 
 class ShaderLibrary;
 
-class StepContext {
+class ContextThread {
   public:
-    virtual ~StepContext() = default;
+    virtual ~ContextThread() = default;
     /// Runs `work` on the context's thread and returns when it is done; rethrows its exceptions. A plain call on that
     /// thread itself. Allocates nothing.
     virtual void run(FunctionRef<void()> work) = 0;
