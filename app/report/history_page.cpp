@@ -74,11 +74,12 @@ std::string drawingOf(const HistorySeries& series) {
 }
 
 std::string tableOf(const HistorySeries& series) {
+    const auto count = static_cast<long long>(series.points.size());
     std::string rows;
     for (const HistoryPoint& point : series.points)
         rows += "<tr><td>" + dayOf(point.made) + "</td><td>" + escaped(point.commit) + "</td>" +
                 numberCell(escaped(valueText(series, point.value))) + "</tr>\n";
-    return "<details><summary>" + phraseOfCount("history.results", static_cast<long long>(series.points.size())) +
+    return "<details><summary>" + phraseOfCount("history.results", count, {{"count", PhraseNumber(static_cast<double>(count))}}) +
            "</summary><table>" + rows + "</table></details>\n";
 }
 

@@ -81,11 +81,11 @@ TEST_CASE("the command draws the results of the project", "[app]") {
     const test::Outcome outcome = runMeltpool("history '" + results + "' --out '" + page.string() + "'");
     INFO(outcome.output);
     REQUIRE(outcome.code == 0);
-    CHECK_THAT(outcome.output, containsText("house.json is left out"));
+    CHECK_THAT(outcome.errors, containsText("house.json is left out"));
     CHECK_THAT(readTextFile(page), containsText("GMAW bead"));
     const test::Outcome missing = runMeltpool("history /nowhere --out '" + page.string() + "'");
     CHECK(missing.code == 2);
-    CHECK_THAT(missing.output, containsText("expected a folder of results"));
+    CHECK_THAT(missing.errors, containsText("expected a folder of results"));
 }
 
 TEST_CASE("a result in a folder of results is named by machine and commit", "[app]") {

@@ -43,14 +43,14 @@ TEST_CASE("two attempts stand beside each other with score, verdict, weld, hand 
         comparisonRows(judged(false, {"lack_of_fusion", "undercut"}), judged(true, {}), comparison);
     CHECK(rows.words == "The second: 0.5 mm more penetration, 1.0 mm/s slower travel, score +12.");
     REQUIRE(rows.notes.size() == 1);
-    CHECK_THAT(rows.notes[0], test::containsText("0.25 mm, half a particle spacing"));
+    CHECK_THAT(rows.notes[0], test::containsText("0.25 mm (half a particle spacing)"));
     REQUIRE(rows.sections.size() == 5);
     const auto shown = [&](const std::string& name) {
         const ComparedRow* row = find(rows, name);
         return row == nullptr ? "" : row->first + " | " + row->second + " | " + row->difference;
     };
-    CHECK(shown("Verdict") == "not accepted | accepted | other");
-    CHECK(shown("Fails") == "lack of fusion, undercut | nothing | other");
+    CHECK(shown("Verdict") == "not accepted | accepted | different");
+    CHECK(shown("Fails") == "lack of fusion, undercut | nothing | different");
     CHECK(shown("Score") == "70 | 82 | +12");
     CHECK(shown("Penetration") == "2.0 mm | 2.5 mm | +0.5 mm");
     CHECK(shown("Mean current") == "110 A | 110 A | ");

@@ -154,7 +154,7 @@ TEST_CASE("level and best score stand below a lesson's title") {
     CHECK(home.standing(*home.find("b")).empty());
     home.scores.offer("a", {71.6, true});
     home.scores.offer("b", {12});
-    CHECK(home.standing(*home.find("a")) == "Level 2 of 5 \xC2\xB7 Best 72, accepted");
+    CHECK(home.standing(*home.find("a")) == "Level 2 of 5 \xC2\xB7 Best so far: 72, accepted");
     CHECK(home.standing(*home.find("b")) == "Best so far: 12");
 }
 
