@@ -59,18 +59,20 @@ std::string_view ArcNotice::update(const ArcState& arc, Striking striking, doubl
     return waiting_ > kPatience || wentOut(arc.noArc) ? sentence : std::string_view();
 }
 
-std::string_view SlowNotice::update(double speed, double elapsed) {
+std::string_view SlowNotice::update(double speed, bool burns, double elapsed) {
     slowFor_ = speed < kSlow ? slowFor_ + elapsed : 0;
     told_ = told_ ? speed <= kKeepsUp : slowFor_ >= kPatience;
-    if (!told_) return {};
+    burned_ = burned_ || burns;
+    sentence_.clear();
+    if (!told_ || (burned_ && !burns)) return {};
     const double percent = speed * 100;
     // Rounded to 5 %, so that the number stays readable.
     const double shown = percent < 10 ? std::fmax(1.0, std::round(percent)) : 5 * std::round(percent / 5);
     const PhraseNumber number(shown);
     text_.clear();
     appendPhrase(text_, "notice.slow.figure", {{"percent", number}});
-    sentence_.clear();
-    appendPhrase(sentence_, "notice.slow.sentence", {{"percent", number}});
+    if (sentenceFor_ < kSentence) appendPhrase(sentence_, "notice.slow.sentence", {{"percent", number}});
+    sentenceFor_ += elapsed;
     return text_;
 }
 
@@ -86,15 +88,19 @@ void tellRecordings(RecordingKeeper& recordings, double now, Messages& messages)
 
 void Notices::update(LessonSession& session, LessonFigures& figures, const TriggerLock& lock, double elapsed,
                      Messages& messages) {
+    constexpr double kBegin = 1; // s: going back by a redo ends later in most attempts
+    if (figures.time < time_ && figures.time < kBegin) slow_.reset();
+    time_ = figures.time;
     figures.slow = {};
     std::string_view sentence;
     if (session.activities().allowed().ownTorch) {
-        if (!session.paused()) figures.slow = slow_.update(figures.speed, elapsed); // a paused metal has no speed
+        // A paused metal has no speed.
+        if (!session.paused()) figures.slow = slow_.update(figures.speed, session.run().arc().burns(), elapsed);
         sentence = arc_.update(session.run().arc(), traitsOf(session.lesson().process).striking, elapsed);
         if (session.attempt().cues().withheld(CueKind::arc)) sentence = {};
         if (lock.holdsBack()) sentence = arcOutSentence(lock.reason());
     }
-    if (figures.slow.empty())
+    if (figures.slow.empty() || slow_.sentence().empty())
         messages.clear(kSlowTopic);
     else
         messages.hold(slow_.sentence(), kSlowTopic);

@@ -25,22 +25,28 @@ class ArcNotice {
     double waiting_ = 0; ///< s that the arc has failed to strike, or the wire has stubbed
 };
 
-/// Notice that the metal runs slower than the person's hand.
+/// Notice that the metal runs slower than the person's hand: a figure as long as it does, and a sentence once an
+/// attempt. Metal that only cools after the arc has no hand to follow, and gives neither.
 class SlowNotice {
   public:
+    static constexpr double kSentence = 10;                ///< s for which an attempt shows the sentence
     static constexpr double kSlow = 0.95, kKeepsUp = 0.97; ///< limits as shares of real time
     static constexpr double kPatience = 0.5;               ///< s
 
-    /// Returns a few words for a row of figures; empty: it keeps up. `speed`: of the metal over real time. Both texts
-    /// are valid until the next call, which reuses their memory.
-    std::string_view update(double speed, double elapsed);
-    /// Sentence for the last words, with the consequence for the weld.
+    /// Returns a few words for a row of figures; empty: it keeps up. `speed`: of the metal over real time. `burns`: the
+    /// torch heats the metal. Both texts are valid until the next call, which reuses their memory.
+    std::string_view update(double speed, bool burns, double elapsed);
+    /// Sentence for the last words, with the consequence for the weld; empty once the attempt has shown it.
     std::string_view sentence() const { return sentence_; }
+    /// Starts another attempt, in which the sentence may be shown again.
+    void reset() { *this = {}; }
 
   private:
     std::string text_, sentence_;
-    double slowFor_ = 0; ///< s
+    double slowFor_ = 0;     ///< s
+    double sentenceFor_ = 0; ///< s for which this attempt has shown the sentence
     bool told_ = false;
+    bool burned_ = false; ///< in this attempt
 };
 
 /// Holds or clears the message "recording", and warns of recordings that were removed. `now`: s on the program's clock.
@@ -58,6 +64,7 @@ class Notices {
   private:
     ArcNotice arc_;
     SlowNotice slow_;
+    double time_ = 0; ///< simulated time of the last call, s: it falls to 0 with a new attempt
 };
 
 } // namespace meltpool

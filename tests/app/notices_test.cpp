@@ -64,15 +64,30 @@ TEST_CASE("why there is no arc is told as the process says it, until it burns or
 
 TEST_CASE("slow metal is told after half a second and until it keeps up", "[app]") {
     SlowNotice notice;
-    CHECK(notice.update(0.96, 10).empty());
+    CHECK(notice.update(0.96, false, 10).empty());
     for (int i = 0; i < 4; ++i)
-        CHECK(notice.update(0.45, kFrame).empty());
-    notice.update(0.45, kFrame);
-    CHECK(notice.update(0.45, kFrame) == "computer too slow: 45 %");
-    CHECK(notice.update(0.063, kFrame) == "computer too slow: 6 %");
-    CHECK(notice.update(0.96, kFrame) == "computer too slow: 95 %");
-    CHECK(notice.update(0.98, kFrame).empty());
-    CHECK(notice.update(0.96, kFrame).empty());
+        CHECK(notice.update(0.45, false, kFrame).empty());
+    notice.update(0.45, false, kFrame);
+    CHECK(notice.update(0.45, false, kFrame) == "computer too slow: 45 %");
+    CHECK(notice.update(0.063, true, kFrame) == "computer too slow: 6 %");
+    CHECK(notice.update(0.96, true, kFrame) == "computer too slow: 95 %");
+    CHECK(notice.update(0.98, true, kFrame).empty());
+    CHECK(notice.update(0.96, true, kFrame).empty());
+}
+
+TEST_CASE("the sentence about slow metal is shown once an attempt, and not while the metal only cools", "[app]") {
+    SlowNotice notice;
+    notice.update(0.4, true, 1);
+    CHECK_THAT(std::string(notice.sentence()), test::containsText("too slow (40 %)"));
+    CHECK(notice.update(0.4, false, 1).empty()); // the arc is out: the metal cools
+    CHECK(notice.sentence().empty());
+    CHECK_FALSE(notice.update(0.4, true, SlowNotice::kSentence).empty());
+    CHECK_FALSE(notice.sentence().empty());
+    CHECK_FALSE(notice.update(0.4, true, 1).empty()); // the figure remains
+    CHECK(notice.sentence().empty());
+    notice.reset();
+    notice.update(0.4, true, 1);
+    CHECK_FALSE(notice.sentence().empty());
 }
 
 TEST_CASE("the headset's notice has the window's warnings, the newest last, and the zoom below them", "[app]") {
