@@ -249,9 +249,9 @@ std::optional<glm::vec3> HeadsetFrontEnd::arcFromHead(const LessonSession& sessi
 std::string HeadsetFrontEnd::sentence() const {
     switch (connection_.state()) {
     case xr::ConnectionState::asleep:
-        return "the headset sleeps; put it on";
+        return phrase("headset.reason.asleep");
     case xr::ConnectionState::running:
-        return "the headset is in use";
+        return phrase("headset.reason.in_use");
     case xr::ConnectionState::searching:
     case xr::ConnectionState::stalled:
     case xr::ConnectionState::ended:
