@@ -130,7 +130,7 @@ TEST_CASE("sentences for trainees and teachers are in the words file", "[house][
     }
     // Names of panels and fonts, reasons in records, and faults of the settings file: in English for every language.
     static const std::set<std::string> allowed{
-        "# Settings of the Meltpool desktop trainer; written when the window closes.\n",
+        R"(# Settings of the Meltpool desktop trainer; written when the window closes.\n)",
         "/System/Library/Fonts/Apple Symbols.ttf",
         "/System/Library/Fonts/Supplemental/Arial Bold.ttf",
         ": unknown entry ",
