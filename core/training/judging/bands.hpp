@@ -39,6 +39,7 @@ struct TechniqueBands {
     double lengthToMm = 0;
     TravelDirection direction = TravelDirection::either; ///< forward: towards growing places
     double speedWindow = 0.5;                            ///< s, see TechniqueSettings
+    bool tee = false;                                    ///< the seam is between a base plate and an upright plate
     std::vector<TechniqueBand> bands;                    ///< bands of the judged parameters, each once
 
     /// Null for a quantity that is not judged.

@@ -110,7 +110,7 @@ void sumUp(TechniqueScore& score, const TechniqueBands& bands) {
 }
 
 /// Case of the parameter's sentence, see [correction] of the words file.
-std::string_view caseOf(const ParameterScore& parameter, const TechniqueBand& band) {
+std::string_view caseOf(const ParameterScore& parameter, const TechniqueBand& band, bool tee) {
     if (std::isnan(parameter.mean)) return "unknown";
     const double off = std::abs(parameter.deviation);
     // A mean near the ideal has full points: then the unevenness costs the points.
@@ -124,6 +124,7 @@ std::string_view caseOf(const ParameterScore& parameter, const TechniqueBand& ba
         if (parameter.most <= 0) return "none";
         break;
     case TechniqueQuantity::aim:
+        if (tee) return tooMuch ? "above_tee" : "below_tee";
         if (band.ideal != 0) return tooMuch ? "above_line" : "below_line";
         break;
     case TechniqueQuantity::travelAngle:
@@ -136,11 +137,11 @@ std::string_view caseOf(const ParameterScore& parameter, const TechniqueBand& ba
     return tooMuch ? "above" : "below";
 }
 
-std::string sentenceOf(const ParameterScore& parameter, const TechniqueBand& band, const QuantityInfo& info) {
+std::string sentenceOf(const ParameterScore& parameter, const TechniqueBand& band, const QuantityInfo& info, bool tee) {
     std::string key = "correction.";
     key += info.key;
     key += '.';
-    key += caseOf(parameter, band);
+    key += caseOf(parameter, band, tee);
     return phrase(key, {{"mean", tellNumber(parameter.mean)},
                         {"off", tellNumber(std::abs(parameter.deviation))},
                         {"ideal", tellNumber(band.ideal)},
@@ -196,7 +197,7 @@ std::vector<Correction> corrections(const TechniqueScore& score, const Technique
         const TechniqueBand* band = bands.find(parameter.quantity);
         if (band == nullptr || parameter.lost < kLeastLoss) continue;
         const QuantityInfo& info = quantityInfo(parameter.quantity, bands.distance);
-        all.push_back({parameter.quantity, parameter.lost, sentenceOf(parameter, *band, info)});
+        all.push_back({parameter.quantity, parameter.lost, sentenceOf(parameter, *band, info, bands.tee)});
     }
     std::stable_sort(all.begin(), all.end(), [](const Correction& a, const Correction& b) { return a.lost > b.lost; });
     if (all.size() > most) all.resize(most);

@@ -161,6 +161,7 @@ void readTechnique(TomlTable& root, Lesson& lesson) {
     if (!root.has("technique")) return;
     TomlTable group = root.table("technique");
     lesson.technique = readTechniqueBands(group, traitsOf(lesson.process).distance, seamOf(lesson.workpiece));
+    lesson.technique->tee = lesson.workpiece.kind == static_cast<int>(WorkpieceKind::Tee);
     group.finish();
 }
 

@@ -117,6 +117,11 @@ TEST_CASE("an aim beside the joint line is scored and told against the line that
     const auto told = corrections(scored(1.5), bands);
     REQUIRE(told.size() == 1);
     CHECK_THAT(told[0].sentence, test::containsText("2 mm off the lesson's line, on your side."));
+    bands.tee = true;
+    CHECK(corrections(scored(1.5), bands).at(0).sentence ==
+          "Aim nearer the upright plate: 2 mm too far out on the base plate.");
+    CHECK(corrections(scored(-2.5), bands).at(0).sentence ==
+          "Aim nearer the base plate: 2 mm too far up the upright plate.");
 }
 
 TEST_CASE("a bent path is marked down, and its own parameter is the lowest", "[training][technique]") {
