@@ -294,11 +294,12 @@ TEST_CASE("no class has more than 40 public functions, and none with functions m
     CHECK(isBeyond({1, "A", 1, kMostMembers + 1}));
     const std::vector<test::LocatedClass> classes = test::classesOf(programSources());
     CHECK(classes.size() > 500);
-    for (const auto& [size, at] : classes) {
+    for (const test::LocatedClass& each : classes) {
+        const test::ClassSize& size = each.size;
         const auto large = std::find_if(kLargeClasses.begin(), kLargeClasses.end(),
-                                        [&](const LargeClass& each) { return each.name == size.name; });
+                                        [&](const LargeClass& known) { return known.name == size.name; });
         const bool listed = large != kLargeClasses.end();
-        INFO(at << ": " << size.name << " has " << size.publicFunctions << " public functions and " << size.members
+        INFO(each.place << ": " << size.name << " has " << size.publicFunctions << " public functions and " << size.members
                 << " members" << (listed ? "; a class of kLargeClasses may only shrink" : ""));
         CHECK(size.publicFunctions <= std::max(kMostPublicFunctions, listed ? large->publicFunctions : 0));
         if (isRecord(size)) continue;
