@@ -82,7 +82,7 @@ TEST_CASE("a page of attempts that have little is whole", "[app][attempts]") {
 
 TEST_CASE("two curves share one sheet, and each is broken where nothing is known", "[app][attempts]") {
     const Curve first{"speed", "mm/s", {0, 1, 2}, {5, 6, 7}, std::nullopt};
-    const Curve second{"speed", "mm/s", {0, 1, 2, 3, 4}, {5, 6, NAN, 5, 9}, std::nullopt};
+    const Curve second{"speed", "mm/s", {0, 1, 2, 3, 4}, {5, 6, std::nan(""), 5, 9}, std::nullopt};
     const std::string svg = twinCurveDrawing(first, second);
     const auto count = [&](const std::string& part) {
         size_t found = 0;
@@ -97,5 +97,5 @@ TEST_CASE("two curves share one sheet, and each is broken where nothing is known
     CHECK_THAT(svg, test::containsText("speed (mm/s) along the seam (mm)"));
     CHECK_THAT(svg, test::containsText("speed (in/min) along the seam (in)"));
     CHECK_THAT(svg, test::containsText("class=\"in\" x=\"43.0\"")); // number at the left in the other system
-    CHECK(twinCurveDrawing({"a", "mm", {0}, {NAN}, std::nullopt}, {"a", "mm", {}, {}, std::nullopt}).empty());
+    CHECK(twinCurveDrawing({"a", "mm", {0}, {std::nan("")}, std::nullopt}, {"a", "mm", {}, {}, std::nullopt}).empty());
 }

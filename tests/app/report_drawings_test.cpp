@@ -21,7 +21,7 @@ size_t countOf(const std::string& text, const std::string& part) {
 }
 
 Curve speeds() {
-    return {"speed <x>", "mm/s", {0, 1, 2, 3, 4}, {5, 6, NAN, 5, 900}, CurveBand{5.5, 0.5, 2}};
+    return {"speed <x>", "mm/s", {0, 1, 2, 3, 4}, {5, 6, std::nan(""), 5, 900}, CurveBand{5.5, 0.5, 2}};
 }
 
 } // namespace
@@ -44,7 +44,7 @@ TEST_CASE("a sheet shows the whole band, and of what wanders far off three outer
     CurveRange values;
     CHECK(shownRange(values, band).empty());
     values.take(9);
-    values.take(NAN);
+    values.take(std::nan(""));
     values.take(11);
     CHECK(shownRange(values, {}).from == 9);
     CHECK(shownRange(values, band).from == Approx(5.6));
@@ -84,7 +84,7 @@ TEST_CASE("a curve tells its values in mm and in inches", "[app]") {
 TEST_CASE("a place without arc is not bridged, a single point is seen, and nothing is nothing", "[app]") {
     Curve curve{"aim", "mm", {0, 1, 5, 6, 9}, {1, 1, 2, 2, 1}, {}};
     CHECK(countOf(curveDrawing(curve), "<polyline") == 3); // 0 to 1, 5 to 6, and the single point 9
-    curve.values.assign(5, NAN);
+    curve.values.assign(5, std::nan(""));
     CHECK(curveDrawing(curve).empty());
     curve.values.clear();
     CHECK(curveDrawing(curve).empty());
