@@ -91,7 +91,7 @@ TEST_CASE("the picture is as coarse as the view menu says, the window tells, and
     window.click("window.group.Window");
     for (const auto& [level, told] :
          {std::pair("coarse", "coarsest picture"), {"full", ""}, {"medium", "coarser picture"}}) {
-        changes(window, "window.picture", [&] { window.click(std::string("window.picture.") + level); });
+        changes(window, "window.picture", [&, name = level] { window.click(std::string("window.picture.") + name); });
         CHECK(window.settle().at("picture") == told);
     }
     window.process().signal(SIGTERM);
@@ -110,13 +110,13 @@ TEST_CASE("everything in the machine menu and its expert drawer is live") {
         window.click(name + ".back");
     }
     changes(window, "simulation.wall_slip", [&] { window.click("simulation.wall_slip"); });
-    const auto [x, y, width, height] = window.place("simulation.gravity");
-    changes(window, "simulation.gravity", [&] {
-        window.moveMouse(x + width / 2, y + height / 2);
+    const auto [left, top, width, height] = window.place("simulation.gravity");
+    changes(window, "simulation.gravity", [&, x = left + width / 2, y = top + height / 2] {
+        window.moveMouse(x, y);
         window.settle();
         window.xdotool({"mousedown", "1"});
         window.settle();
-        window.moveMouse(x + width / 2 + 60, y + height / 2);
+        window.moveMouse(x + 60, y);
         window.settle();
         window.xdotool({"mouseup", "1"});
     });

@@ -36,7 +36,7 @@ void openEveryPanel(TrainerWindow& window) {
     for (const auto& [key, panel] : {std::pair{"F2", "view"}, {"F3", "simulation"}, {"F4", "timings"}}) {
         if (window.state().at("panels").at(panel) == true) continue;
         window.key(key);
-        window.waitFor(panel, [panel](const json& s) { return s.at("panels").at(panel) == true; });
+        window.waitFor(panel, [name = panel](const json& s) { return s.at("panels").at(name) == true; });
     }
 }
 
