@@ -36,7 +36,7 @@ std::string resultName(XrResult result) {
 
 XrResult check(XrResult result, const char* expression, const char* file, int line) {
     if (XR_SUCCEEDED(result)) return result;
-    throw XrFault(std::string(functionOf(expression)) + " answers " + resultName(result) + " (" + expression + ", " +
+    throw XrFault(std::string(functionOf(expression)) + " returned " + resultName(result) + " (" + expression + ", " +
                       std::string(placeInSource(file)) + ":" + std::to_string(line) + ")",
                   result);
 }

@@ -112,7 +112,7 @@ void addHandsFacts(Headset& headset, Diagnosis& diagnosis) {
 void addSessionFacts(std::unique_ptr<Instance> instance, Diagnosis& diagnosis) {
     Headset headset(std::move(instance), {.resolutionScale = 1.0f, .samples = 1});
     headset.waitUntilOpened();
-    diagnosis.facts.push_back({"OpenGL handed over by", headset.bindingKind()});
+    diagnosis.facts.push_back({"OpenGL binding", headset.bindingKind()});
     diagnosis.facts.push_back(
         {"pixels an eye", std::to_string(headset.eyes().width()) + " x " + std::to_string(headset.eyes().height())});
     std::string formats;
@@ -129,9 +129,9 @@ void addSessionFacts(std::unique_ptr<Instance> instance, Diagnosis& diagnosis) {
     addHandsFacts(headset, diagnosis);
     const bool hands = headset.input().hand(Hand::left).present || headset.input().hand(Hand::right).present;
     if (period <= 0)
-        diagnosis.advice = "Put the headset on: it sleeps as long as nobody wears it.";
+        diagnosis.advice = "Put the headset on. It sleeps until you wear it.";
     else if (!hands)
-        diagnosis.advice = "Switch a controller on; the torch is in the hand that holds it.";
+        diagnosis.advice = "Switch a controller on. The torch is in the hand that holds it.";
 }
 
 } // namespace
@@ -144,10 +144,10 @@ Diagnosis diagnose(bool session) {
     diagnosis.facts.push_back({"active runtime", named, !manifest.file.empty() && manifest.fault.empty()});
     if (!manifest.unheeded.empty())
         diagnosis.facts.push_back({"XR_RUNTIME_JSON",
-                                   manifest.unheeded + " is not looked at: the program has an administrator's rights",
+                                   manifest.unheeded + " is ignored: the program runs with administrator rights",
                                    false});
     if (!manifest.fault.empty()) {
-        diagnosis.facts.push_back({"headset", "none to be used", false});
+        diagnosis.facts.push_back({"headset", "none usable", false});
         diagnosis.advice = manifest.fault;
         return diagnosis;
     }
@@ -157,10 +157,10 @@ Diagnosis diagnose(bool session) {
         if (session) addSessionFacts(std::move(instance), diagnosis);
         diagnosis.usable = true;
     } catch (const XrFault& fault) {
-        diagnosis.facts.push_back({"headset", "none to be used (" + resultName(fault.result()) + ")", false});
+        diagnosis.facts.push_back({"headset", "none usable (" + resultName(fault.result()) + ")", false});
         diagnosis.advice = explain(fault);
     } catch (const std::exception& other) {
-        diagnosis.facts.push_back({"headset", "none to be used", false});
+        diagnosis.facts.push_back({"headset", "none usable", false});
         diagnosis.advice = other.what();
     }
     return diagnosis;

@@ -71,7 +71,7 @@ GraphicsBinding GraphicsBinding::ofCurrentContext() {
         made.kind_ = "EGL";
         return made;
     }
-    throw InputError("the headset needs an OpenGL context, and none is current");
+    throw InputError("no OpenGL context is current; expected one for the headset");
 }
 
 const char* GraphicsBinding::runtimesWithOpenGl() {
@@ -81,8 +81,8 @@ const char* GraphicsBinding::runtimesWithOpenGl() {
 namespace {
 
 [[noreturn]] void noSecondContext() {
-    throw InputError("the graphics driver makes no second OpenGL context that shares with the window's; the headset "
-                     "needs one");
+    throw InputError("the graphics driver makes no second OpenGL context that shares with the window's; expected "
+                     "one for the headset");
 }
 
 } // namespace
@@ -158,7 +158,7 @@ SharedContext::SharedContext() : handles_(std::make_unique<Handles>()) {
     }
     handles_->egl = true;
     const EGLContext first = eglGetCurrentContext();
-    if (first == EGL_NO_CONTEXT) throw InputError("the headset needs an OpenGL context, and none is current");
+    if (first == EGL_NO_CONTEXT) throw InputError("no OpenGL context is current; expected one for the headset");
     handles_->display = eglGetCurrentDisplay();
     handles_->context = eglBeside(handles_->display, first);
 }

@@ -12,8 +12,8 @@ namespace {
 ContextGuard::Repairs counted;
 
 [[noreturn]] void noSecondContext() {
-    throw InputError("the graphics driver makes no second OpenGL context that shares with the window's; the headset "
-                     "needs one");
+    throw InputError("the graphics driver makes no second OpenGL context that shares with the window's; expected "
+                     "one for the headset");
 }
 
 } // namespace
@@ -23,7 +23,7 @@ GraphicsBinding GraphicsBinding::ofCurrentContext() {
     binding.type = XR_TYPE_GRAPHICS_BINDING_OPENGL_WIN32_KHR;
     binding.hDC = wglGetCurrentDC();
     binding.hGLRC = wglGetCurrentContext();
-    if (binding.hGLRC == nullptr) throw InputError("the headset needs an OpenGL context, and none is current");
+    if (binding.hGLRC == nullptr) throw InputError("no OpenGL context is current; expected one for the headset");
     GraphicsBinding made;
     made.chain_ = std::make_shared<XrGraphicsBindingOpenGLWin32KHR>(binding);
     made.kind_ = "WGL";
@@ -31,8 +31,8 @@ GraphicsBinding GraphicsBinding::ofCurrentContext() {
 }
 
 const char* GraphicsBinding::runtimesWithOpenGl() {
-    return "SteamVR has it: its settings, under OpenXR, make it the active runtime; so has Meta Quest Link, in its "
-           "settings under General";
+    return "SteamVR has it: make it the active runtime in its settings under OpenXR; Meta Quest Link has it too, in "
+           "its settings under General";
 }
 
 /// A device context may be current on one thread only, and a context needs its own pixel format; so the second context
@@ -48,7 +48,7 @@ struct SharedContext::Handles {
 
 SharedContext::SharedContext() {
     const HDC first = wglGetCurrentDC();
-    if (first == nullptr) throw InputError("the headset needs an OpenGL context, and none is current");
+    if (first == nullptr) throw InputError("no OpenGL context is current; expected one for the headset");
     handles_ = std::make_unique<Handles>(first);
     handles_->context = static_cast<HGLRC>(handles_->window.makeContext(false, wglGetCurrentContext()));
     if (handles_->context == nullptr) noSecondContext();

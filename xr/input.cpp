@@ -79,9 +79,9 @@ void Input::makeTrackerActions() {
     try {
         actions_.tracker = makeAction(weld_, XR_ACTION_TYPE_POSE_INPUT, "tracker", "Tracker on a torch", rolePaths_);
         actions_.trackerTrigger =
-            makeAction(weld_, XR_ACTION_TYPE_FLOAT_INPUT, "tracker_trigger", "Its trigger", rolePaths_);
+            makeAction(weld_, XR_ACTION_TYPE_FLOAT_INPUT, "tracker_trigger", "Trigger of the tracker", rolePaths_);
         actions_.trackerHaptic =
-            makeAction(weld_, XR_ACTION_TYPE_VIBRATION_OUTPUT, "tracker_feel", "Its vibration", rolePaths_);
+            makeAction(weld_, XR_ACTION_TYPE_VIBRATION_OUTPUT, "tracker_feel", "Vibration of the tracker", rolePaths_);
     } catch (const XrFault& fault) {
         refused_.push_back(std::string(kTrackerProfile) + " (" + resultName(fault.result()) + ")");
         rolePaths_.clear();

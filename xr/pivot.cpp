@@ -185,7 +185,7 @@ void writeCalibration(const std::filesystem::path& file, const TipCalibration& c
                                                  c.orientation.x,   c.orientation.y,   c.orientation.z,
                                                  c.orientation.w,   c.residualMm};
     std::string text =
-        "# The torch's tip as seen from the hand's grip: offset, orientation, and how well it was measured.\n";
+        "# Position and orientation of the torch's tip relative to the hand's grip, and the measurement's error.\n";
     for (size_t i = 0; i < kKeys.size(); ++i)
         text += std::string(kKeys[i]) + " = " + formatNumber(values[i]) + "\n";
     writeTextFileAtomically(file, text);

@@ -19,7 +19,7 @@ std::string faultOfFile(const fs::path& file) {
     std::error_code ignored;
     if (!fs::exists(file, ignored)) return "does not exist";
     if (!fs::is_regular_file(file, ignored)) return "is no file";
-    if (fs::file_size(file, ignored) > kLargest) return "is larger than a runtime's manifest ever is";
+    if (fs::file_size(file, ignored) > kLargest) return "is larger than 1 MiB";
     return {};
 }
 

@@ -16,14 +16,14 @@ constexpr XrPosef kIdentity{{0, 0, 0, 1}, {0, 0, 0}};
 void askOpenGlRequirements(const Instance& instance) {
     const auto ask = instance.function<PFN_xrGetOpenGLGraphicsRequirementsKHR>("xrGetOpenGLGraphicsRequirementsKHR");
     if (ask == nullptr)
-        throw InputError("the OpenXR runtime does not say which OpenGL it needs; expected one with OpenGL support");
+        throw InputError("the OpenXR runtime names no OpenGL version; expected a runtime with OpenGL support");
     XrGraphicsRequirementsOpenGLKHR needed{XR_TYPE_GRAPHICS_REQUIREMENTS_OPENGL_KHR};
     MELTPOOL_XR(ask(instance.handle(), instance.system(), &needed));
     const XrVersion ours = XR_MAKE_VERSION(4, 5, 0);
     if (ours < needed.minApiVersionSupported)
         throw InputError("the OpenXR runtime needs OpenGL " +
                          std::to_string(XR_VERSION_MAJOR(needed.minApiVersionSupported)) + "." +
-                         std::to_string(XR_VERSION_MINOR(needed.minApiVersionSupported)) + "; this program has 4.5");
+                         std::to_string(XR_VERSION_MINOR(needed.minApiVersionSupported)) + "; expected at most 4.5");
 }
 
 } // namespace

@@ -20,17 +20,17 @@ std::uintmax_t sizeOf(const std::filesystem::path& file) {
 
 void requireSame(const Lesson& first, const Lesson& second, const AttemptComparison::Side& other) {
     if (first.model != LessonModel::Weld || second.model != LessonModel::Weld)
-        throw InputError(other.file, 0, "makes no weld to be measured; expected two attempts at the same weld lesson");
+        throw InputError(other.file, 0, "has no weld to measure; expected two attempts at one weld lesson");
     if (first.key != second.key || first.file != second.file)
         throw InputError(other.file, 0,
-                         "is of lesson '" + second.key + "'; expected another attempt at '" + first.key + "'");
+                         "is an attempt at lesson '" + second.key + "'; expected an attempt at '" + first.key + "'");
 }
 
 } // namespace
 
 void AttemptComparison::begin(const Side& first, const Side& second) {
     if (first.file == second.file)
-        throw InputError(first.file, 0, "cannot be compared with itself; expected two attempts");
+        throw InputError(first.file, 0, "cannot be compared with itself; expected two different attempts");
     std::array<std::optional<Lesson>, 2> lessons{lessonOfAttempt(first.file), lessonOfAttempt(second.file)};
     requireSame(*lessons[0], *lessons[1], second);
     end();

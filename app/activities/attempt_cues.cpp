@@ -62,13 +62,13 @@ CueEye cueEye(const SceneView& scene, const View& eye) {
 
 ParameterList describe(CueParameters& c) {
     return {
-        {"speed", "Speed", "", &c.speed, 0, 1, "an arrow on a bar along the seam: ahead of the middle is too fast"},
-        {"angles", "Angles", "", &c.angles, 0, 1, "a dot in a disc: where the torch's handle leans to"},
+        {"speed", "Speed", "", &c.speed, 0, 1, "Arrow on a bar along the seam. Ahead of the middle means too fast."},
+        {"angles", "Angles", "", &c.angles, 0, 1, "Dot in a disc. It shows the lean of the torch's handle."},
         {"distance", "Arc length or distance", "", &c.distance, 0, 1,
-         "a bar along the torch: the mark over the middle is too far from the metal"},
-        {"aim", "Aim", "", &c.aim, 0, 1, "a ball on a bar across the seam: beside the middle is beside the seam"},
-        {"seam", "Seam ahead", "", &c.seam, 0, 1, "dashes on the next stretch of the seam"},
-        {"arc", "Arc out", "", &c.arc, 0, 1, "a sign and a sentence when the arc is out: why, and what to do"},
+         "Bar along the torch. A mark over the middle means too far from the metal."},
+        {"aim", "Aim", "", &c.aim, 0, 1, "Ball on a bar across the seam. Off the middle means off the seam."},
+        {"seam", "Seam ahead", "", &c.seam, 0, 1, "Dashes on the next stretch of the seam."},
+        {"arc", "Arc out", "", &c.arc, 0, 1, "Sign when the arc is out, with the reason and your next step."},
     };
 }
 

@@ -33,10 +33,11 @@ std::string_view ghostName(GhostChoice choice) {
 ParameterList describe(GhostParameters& g) {
     return {
         {"ghost", "Ghost", "", &g.ghost, 0, 3,
-         "whose torch goes along half transparent: the expert's, your best kept attempt's, or that of a file", kNames},
+         "Pale second torch beside yours: the expert's, that of your best attempt, or that of a file.", kNames},
         {"ghost_pace", "Its pace", "", &g.pace, 0, 1,
-         "place: it stands where your torch is along the seam; time: it goes its own way from your strike on", kPaces},
-        {"ghost_file", "Its file", "", &g.file, 0, 0, "an attempt or a torch path; --ghost names another"},
+         "With place, it stays at your place on the seam. With time, it goes its own way from your first strike.",
+         kPaces},
+        {"ghost_file", "Its file", "", &g.file, 0, 0, "Attempt or torch path. --ghost FILE chooses another."},
     };
 }
 

@@ -11,7 +11,7 @@ Lesson lessonOfAttempt(const std::filesystem::path& file, const std::string& les
     if (lesson.empty()) {
         const auto attempt = readRecordedAttempt(file);
         if (!attempt)
-            throw InputError(file, 0, "names no lesson; expected a kept attempt, or --lesson beside a torch path");
+            throw InputError(file, 0, "names no lesson; expected a recorded attempt, or --lesson with a torch path");
         found = findLessonOf(*attempt, folders);
     } else {
         found = findLesson(lesson, folders);

@@ -21,7 +21,7 @@ int runDesktop(const DesktopOptions& options) {
         app.frame();
     const int code = app.finish() ? 0 : 1;
     if (displayLost()) {
-        std::fputs("meltpool: the display is gone; what was to be kept is kept\n", stderr);
+        std::fputs("meltpool: the display is gone, so the window closes\n", stderr);
         std::fflush(nullptr);
         std::_Exit(1); // closing the window would ask the display
     }

@@ -81,7 +81,7 @@ void DesktopApp::takeGhost() {
     if (options_.ghost.empty()) return;
     std::error_code missing;
     if (!std::filesystem::is_regular_file(options_.ghost, missing))
-        throw InputError(options_.ghost, 0, "is no file for --ghost; expected an attempt or a torch path");
+        throw InputError(options_.ghost, 0, "is not a file; expected an attempt or a torch path for --ghost");
     const Lesson& lesson = session_.lesson();
     if (!options_.lesson.empty() && lesson.model == LessonModel::Weld) ghostTorch(lesson, options_.ghost);
     session_.attempt().ghost().choose(std::filesystem::absolute(options_.ghost));
@@ -109,8 +109,8 @@ bool DesktopApp::finish() {
         kept = false;
     }
     if (session_.log().records().lost())
-        std::fprintf(stderr, "meltpool: an attempt was not recorded to its end, as the window told; expected %s\n",
-                     "a place for --record that takes it");
+        std::fprintf(stderr, "meltpool: the record of an attempt stops before its end; expected %s\n",
+                     "a place for --record that stays writable");
     const std::string& unrecorded = session_.log().recordings().lost();
     if (!unrecorded.empty()) std::fprintf(stderr, "meltpool: %s\n", printable(unrecorded, 3000).c_str());
     if (!screenshots_.lost().empty())

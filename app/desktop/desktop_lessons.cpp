@@ -70,7 +70,7 @@ bool DesktopLessons::start(void (LessonSession::*begin)(Controls&), double now) 
         (session_.*begin)(controls_);
         return true;
     } catch (const std::exception& fault) {
-        session_.end("it could not begin");
+        session_.end("the attempt could not begin");
         messages_.warn(fault.what(), now, "start");
         return false;
     }
@@ -104,7 +104,9 @@ bool DesktopLessons::weldBeside(const std::filesystem::path& file, double now) {
     try {
         const Lesson attempt = lessonOfAttempt(file);
         if (attempt.model != LessonModel::Weld || !attempt.ghost)
-            throw InputError(file, 0, "is of lesson '" + attempt.key + "', which allows no ghost");
+            throw InputError(file, 0,
+                             "is an attempt at lesson '" + attempt.key +
+                                 "', which allows no ghost; expected an attempt at a lesson with ghosts");
         take(readLesson(attempt.file));
         tellMoved(attempt, now);
         session_.attempt().ghost().choose(file);

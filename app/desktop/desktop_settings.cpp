@@ -26,16 +26,17 @@ void copyValues(LessonSections& from, LessonSections& to) {
 ParameterList describe(WindowParameters& w) {
     return {
         {"width", "Width", "points", &w.width, 640, 16384,
-         "of the window at the next start; it grows with the desktop's scale and fits the screen"},
+         "Width of the window at the next start. It grows with the desktop's scale and fits the screen."},
         {"height", "Height", "points", &w.height, 480, 16384,
-         "of the window at the next start; it grows with the desktop's scale and fits the screen"},
-        {"maximised", "Maximised", "", &w.maximised, 0, 1, "at the next start"},
+         "Height of the window at the next start. It grows with the desktop's scale and fits the screen."},
+        {"maximised", "Maximised", "", &w.maximised, 0, 1, "The window fills the screen at the next start."},
         {"interface_size", "Size of text and menus", "", &w.interfaceSize, 0.7, 2,
-         "On top of what the desktop asks for; large menus cover more of the picture."},
+         "Factor on the desktop's own scale. Large menus cover more of the picture."},
         {"picture", "Picture", "", &w.picture, 0, kPictureLevels,
-         "automatic: as fine as leaves the metal its time; text and menus are always full", pictureChoices()},
+         "Fineness of the picture. Automatic leaves enough time for the metal. Text and menus are always full.",
+         pictureChoices()},
         {"detail", "Detail", "", &w.detail, 0, 3,
-         "of light and metal, in the headset too; automatic: low without a graphics card, else what it draws in time",
+         "Detail in window and headset. Automatic is low without a graphics card, else as high as it draws in time.",
          detailChoices()},
     };
 }

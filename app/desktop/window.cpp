@@ -86,14 +86,14 @@ std::string offeredVersion() {
 std::string softwareAdvice() {
 #ifdef __linux__
     if (environmentVariable("LIBGL_ALWAYS_SOFTWARE").empty())
-        return "; with LIBGL_ALWAYS_SOFTWARE=1 in the environment, or \"Without the graphics card\" of the menu entry, "
-               "the processor draws";
+        return "; to draw on the processor, set LIBGL_ALWAYS_SOFTWARE=1 in the environment, or choose \"Without the "
+               "graphics card\" in the program's desktop menu";
 #endif
     return {};
 }
 
 void start() {
-    if (!startWindowSystem()) throw InputError("no window can be opened here: " + lastProblem());
+    if (!startWindowSystem()) throw InputError("the window cannot open: " + lastProblem());
 }
 
 /// Sets the hints for the next window, which is hidden at first.
@@ -176,7 +176,7 @@ void Window::open(const Options& options) {
     glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "meltpool");
     window_ = glfwCreateWindow(options.width, options.height, "Meltpool", nullptr, nullptr);
     if (window_ == nullptr)
-        throw InputError("the window needs OpenGL 4.5 core, but this machine offers " + offeredVersion() +
+        throw InputError("the window needs OpenGL 4.5 core, but this computer offers " + offeredVersion() +
                          softwareAdvice());
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(1);

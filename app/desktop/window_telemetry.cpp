@@ -236,7 +236,7 @@ void WindowTelemetry::writeLine(const TelemetryRow& row) {
     // Bytes of a message need not be UTF-8 (a path, a driver's log); they are replaced, not refused.
     file_ << object.dump(-1, ' ', false, json::error_handler_t::replace) << std::endl;
     if (!file_) {
-        fault_ = name_.string() + ": the telemetry cannot be written on; " + writeExpectation(errno);
+        fault_ = name_.string() + ": the telemetry cannot be continued; " + writeExpectation(errno);
         file_.close();
     }
 }

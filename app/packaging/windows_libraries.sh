@@ -43,13 +43,13 @@ windowsFetch() {
     windowsApt update
     mkdir -p "$folder"
     (cd "$folder" && windowsApt source --download-only "${wanted[@]}") || {
-        echo "the source packages ${wanted[*]} cannot be had; expected an archive with these versions, or other" \
-            "versions and their hashes in $windowsSources" >&2
+        echo "the source packages ${wanted[*]} cannot be downloaded; expected an archive with these versions, or" \
+            "other versions and their hashes in $windowsSources" >&2
         return 1
     }
     awk '!/^#/ { print $4 "  " $3 }' "$windowsSources" >"$folder/hashes"
     (cd "$folder" && sha256sum --quiet -c hashes) || {
-        echo "a source package is not the one that $windowsSources names" >&2
+        echo "a source package has another hash than in $windowsSources; expected the version of that list" >&2
         return 1
     }
     for file in "$folder"/*.dsc; do

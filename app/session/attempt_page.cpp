@@ -80,7 +80,7 @@ fs::path attemptPageName(const fs::path& record, const std::string& lesson, cons
     std::error_code failure;
     fs::create_directories(folder, failure);
     if (failure || !fs::is_directory(folder, failure))
-        throw InputError(folder, 0, "cannot be made; expected a place where a folder may be made and written");
+        throw InputError(folder, 0, "cannot be created; expected a parent folder with write permission");
     std::string name = lesson + " " + date + ".html";
     std::replace(name.begin(), name.end(), ':', '.');
     return freeName(folder / name);
@@ -90,7 +90,7 @@ std::filesystem::path writeAttemptPage(LessonSession& session, double zoom, cons
     const Attempt& attempt = session.attempt();
     LessonValues& values = session.values();
     if (!session.judges() || !attempt.judged() || session.run().arc().burns())
-        throw InputError("there is no judged attempt; expected a weld that was judged, with the arc out");
+        throw InputError("there is no judged attempt; expected a judged weld with the arc out");
     const Judgement& judgement = attempt.judged()->judgement;
     AttemptFacts facts;
     facts.head.date = formatDate(std::chrono::system_clock::now());

@@ -22,21 +22,21 @@ glm::vec3 awayFrom(glm::vec3 view) {
 ParameterList describe(ControlParameters& p) {
     return {
         {"source_step", "Step of the arrow keys", "box units", &p.sourceStep, 0.005, 0.5,
-         "One press of an arrow or page key; one box unit is 40 mm."},
+         "Path of the torch for one press of an arrow or page key. One box unit is 40 mm."},
         {"source_mouse_speed", "Mouse speed of the torch", "", &p.sourceMouseSpeed, 0.1, 5,
-         "Higher reaches further with less hand movement, and is harder to hold still."},
+         "A higher speed needs less hand movement, but the torch is harder to hold still."},
         {"torch_mouse_mm", "Mouse travel of a welding torch", "mm", &p.torchMouse, 0.5, 50,
-         "For 100 points of the mouse. Less is steadier."},
+         "Path of the torch for 100 points of the mouse. Less is steadier."},
         {"guide_speed_mm_s", "Guide speed", "mm/s", &p.guideSpeed, 0, 30,
-         "A welding torch goes along the seam by itself while it welds; 0: the mouse leads it."},
+         "Moves a welding torch along the seam while it welds. At 0 the mouse leads it."},
         {"hand_tremor", "Hand tremor", "", &p.tremor, 0, 4,
-         "A welding torch trembles like a hand: 1 is 0.3 mm and 2 degrees at 8 Hz; 0: it is still."},
+         "Makes a welding torch tremble like a hand. 1 is 0.3 mm and 2 degrees at 8 Hz; 0 is still."},
         {"gamepad_speed_mm_s", "Speed of a gamepad's stick", "mm/s", &p.gamepadSpeed, 1, 60,
-         "Of a welding torch, with the left stick pushed all the way."},
-        {"look_speed", "Mouse speed when looking", "", &p.lookSpeed, 0.1, 5, "For the free camera."},
-        {"camera_speed", "Speed of the camera keys", "", &p.cameraSpeed, 0.1, 5, "For A D W S Q E."},
-        {"invert_look", "Turn looking up and down round", "", &p.invertLook, 0, 1,
-         "Pulling the mouse towards you looks up, as in an aeroplane."},
+         "Speed of a welding torch with the left stick pushed all the way."},
+        {"look_speed", "Mouse speed when looking", "", &p.lookSpeed, 0.1, 5, "Turning speed of the free camera."},
+        {"camera_speed", "Speed of the camera keys", "", &p.cameraSpeed, 0.1, 5, "Camera speed with A D W S Q E."},
+        {"invert_look", "Invert looking up and down", "", &p.invertLook, 0, 1,
+         "Pull the mouse towards you to look up, as in an aeroplane."},
     };
 }
 

@@ -51,7 +51,7 @@ ParameterList describe(AttemptParameters& a) {
              &a.forScore,
              0,
              1,
-             "no help is shown; the computer's speed is checked first",
+             "No help is shown. The computer's speed is checked first.",
              {},
              true}};
 }

@@ -78,7 +78,7 @@ void LessonSession::makeMetal(const ProcessSettings* process) {
     const SpeedTrial& trial = activities_.trial;
     if (trial.measuring())
         for (const auto& [key, value] : trial.current().values)
-            made.set(key, value, "a value that was offered");
+            made.set(key, value, "an offered value");
     if (process != nullptr) made.process = *process;
     run_.make(std::move(made));
     sound_.soundSteps.reset();

@@ -36,7 +36,7 @@ void LessonSession::settleTrial(int answer, Controls& controls) {
     activities_.trial.stop();
     if (static_cast<size_t>(answer) + 1 < offers.size()) {
         for (const auto& [key, value] : offers[static_cast<size_t>(answer) + 1].values)
-            values_.lesson().set(key, value, "a value that was offered");
+            values_.lesson().set(key, value, "an offered value");
         begin(controls);
     } else if (static_cast<size_t>(answer) + 1 == offers.size()) {
         sections().attempt.forScore = false;

@@ -4,9 +4,9 @@ namespace meltpool {
 
 ParameterList describe(PanelState& p) {
     return {
-        {"view", "View menu", "", &p.view, 0, 1, "open at the start"},
-        {"simulation", "Machine menu", "", &p.simulation, 0, 1, "open at the start"},
-        {"timings", "Timings", "", &p.timings, 0, 1, "open at the start"},
+        {"view", "View menu", "", &p.view, 0, 1, "Open when the program starts."},
+        {"simulation", "Machine menu", "", &p.simulation, 0, 1, "Open when the program starts."},
+        {"timings", "Timings", "", &p.timings, 0, 1, "Open when the program starts."},
     };
 }
 

@@ -97,10 +97,10 @@ std::vector<std::string> readSettings(const fs::path& file, const std::vector<Se
     bool broken = false;
     try {
         // A pipe would block until its writer opens it.
-        if (!isPlainFile(file)) throw InputError(file, 0, "is no settings file; expected a text file");
+        if (!isPlainFile(file)) throw InputError(file, 0, "is not a settings file; expected a text file");
         readSections(file, parseTomlFile(file), sections, faults);
     } catch (const std::exception& fault) {
-        faults.push_back(fault.what() + std::string("; the settings file is not used, the defaults are"));
+        faults.push_back(fault.what() + std::string("; the program uses its defaults instead"));
         broken = true;
     }
     if (faults.empty()) return faults;
@@ -150,7 +150,7 @@ std::vector<std::string> loadSettings(const fs::path& file, const std::vector<Se
 }
 
 std::string settingsText(const std::vector<SettingsSection>& sections) {
-    std::string text = "# Settings of the Meltpool desktop trainer; written when the window closes.\n";
+    std::string text = "# Settings of the Meltpool desktop trainer. The program saves them when the window closes.\n";
     for (const SettingsSection& section : sections) {
         text += "\n[" + section.name + "]\n";
         for (const Parameter& p : section.parameters)
@@ -165,8 +165,8 @@ std::string requireSavableSettings(const fs::path& file) {
     fs::create_directories(file.parent_path(), failed);
     if (failed)
         throw InputError(file.parent_path(), 0,
-                         "the settings folder cannot be made: " + failed.message() +
-                             "; expected a place where a folder may be made");
+                         "the settings folder cannot be created: " + failed.message() +
+                             "; expected a parent folder with write permission");
     requireWritable(file);
     return FileTurn(file).warning();
 }

@@ -100,7 +100,7 @@ void OpenAlDevice::open(const int* attributes) {
     alSourcef(source_, AL_REFERENCE_DISTANCE, kReferenceDistance);
     alSourcef(source_, AL_ROLLOFF_FACTOR, 1);
     alSourcef(source_, AL_MAX_DISTANCE, 20);
-    if (alGetError() != AL_NO_ERROR) throw RuntimeFault("the sound device has no source left");
+    if (alGetError() != AL_NO_ERROR) throw RuntimeFault("the sound device has no free source");
 }
 
 OpenAlDevice::~OpenAlDevice() {

@@ -20,8 +20,8 @@ void runArcSpot(const ValidationCase& from, gl::ShaderLibrary& shaders, Validati
     const auto thickness = static_cast<float>(std::min(plate[1], plate[2])) * kMm;
     const auto width = static_cast<float>(std::max(plate[1], plate[2])) * kMm;
     const double ambient = from.number("ambient_k"), on = from.number("on_s");
-    requireSpacings(from, "plate_mm, its thickness", static_cast<double>(thickness), 2);
-    requireSpacings(from, "plate_mm, its width", static_cast<double>(width), 4);
+    requireSpacings(from, "plate_mm (thickness)", static_cast<double>(thickness), 2);
+    requireSpacings(from, "plate_mm (width)", static_cast<double>(width), 4);
     requireWeldRoom(from, process, static_cast<double>(length * thickness * width), on);
     CaseWeld weld(from, shaders, process, casePlate(from, length, thickness, width, ambient), ambient, on);
     weld.run(straightRun(0, 0, caseTorchHeight(from, process), on), on + kFreezing, result);

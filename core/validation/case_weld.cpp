@@ -86,8 +86,8 @@ void CaseWeld::tellArc(const ValidationCase& from, ValidationResult& result) con
 void CaseWeld::requireArc(const ValidationCase& from) const {
     if (arc_.burning < 0.5 * std::min(seconds_, elapsed_))
         throw InputError(from.file, 0,
-                         "[case]: the arc burned for less than half of its time; expected a distance and settings at "
-                         "which it holds");
+                         "[case]: the arc burned for less than half of its time; expected a distance and settings that "
+                         "keep it burning");
 }
 
 void CaseWeld::compareDeposit(const ValidationCase& from, double length, ValidationResult& result) const {

@@ -64,7 +64,7 @@ struct Input {
 
 void runEnergy(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result) {
     const Seam seam(from);
-    requireSpacings(from, "on a plate of 32x8x32 mm, its thickness", static_cast<double>(kThickness), 1);
+    requireSpacings(from, "plate of 32x8x32 mm (thickness)", static_cast<double>(kThickness), 1);
     const double cell = std::pow(from.spacing, 3);
     const double plateCount = static_cast<double>(seam.length * kThickness * kSide) / cell;
     const double wireCount = equipmentOf(seam.process).wireRate() * seam.on / cell;

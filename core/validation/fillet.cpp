@@ -42,8 +42,8 @@ struct Fillet {
     double way() const { return static_cast<double>(end - start); }
     void require(const ValidationCase& from) const {
         const auto thickness = static_cast<double>(tee.thicknessMm) * 1e-3;
-        requireSpacings(from, "plate_mm, its thickness", thickness, 2);
-        requireSpacings(from, "plate_mm, its width", static_cast<double>(tee.widthMm) * 1e-3, 6);
+        requireSpacings(from, "plate_mm (thickness)", thickness, 2);
+        requireSpacings(from, "plate_mm (width)", static_cast<double>(tee.widthMm) * 1e-3, 6);
         requireSpacings(from, "standing_mm", static_cast<double>(tee.heightMm) * 1e-3, 4);
         const double across = static_cast<double>(tee.widthMm + tee.heightMm) * 1e-3 * thickness;
         // The box around a tee is mostly empty, and its cells take room too.

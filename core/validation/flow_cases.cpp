@@ -99,7 +99,7 @@ void runSessileDrop(const ValidationCase& from, gl::ShaderLibrary& shaders, Vali
     const double angle = from.number("contact_angle_deg") * std::numbers::pi / 180;
     const double volume = from.number("volume_mm3") * 1e-9;
     fluid.wetting = wettingForAngle(angle, capillarySpacings(fluid));
-    requireSpacings(from, "volume_mm3, as the edge of a cube", std::cbrt(volume), 4);
+    requireSpacings(from, "volume_mm3 (edge of its cube)", std::cbrt(volume), 4);
     // Edge of the wall, twice the spread of the drop.
     const double edge = 1.7 * 2 * std::cbrt(volume) / from.spacing + 12;
     requireCapacity(from, {0, 4 * edge * edge, 4 * edge * edge, edge * edge * edge});

@@ -68,7 +68,7 @@ void FlowRig::run(double seconds, double span, const std::function<void(double)>
         if (look) look(time);
     }
     const FlowFaults faults = flow.readFaults();
-    if (faults.notFinite > 0) throw RuntimeFault("the flow stopped being finite");
+    if (faults.notFinite > 0) throw RuntimeFault("the flow is no longer finite");
 }
 
 std::vector<glm::dvec3> FlowRig::readPositions() const {

@@ -27,8 +27,8 @@ PlatePath::PlatePath(const ValidationCase& from) : process(caseProcess(from)), a
 }
 
 void PlatePath::require(const ValidationCase& from) const {
-    requireSpacings(from, "plate_mm, its thickness", static_cast<double>(thickness), 2);
-    requireSpacings(from, "plate_mm, its width", static_cast<double>(width), 4);
+    requireSpacings(from, "plate_mm (thickness)", static_cast<double>(thickness), 2);
+    requireSpacings(from, "plate_mm (width)", static_cast<double>(width), 4);
     requireWeldRoom(from, process, static_cast<double>(length * thickness * width), seconds());
 }
 

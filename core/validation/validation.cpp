@@ -109,7 +109,9 @@ void runValidationCase(const ValidationCase& from, gl::ShaderLibrary& shaders, V
             result.wallSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
             return;
         }
-    throw InputError(from.file, 0, "cases of kind '" + std::string(from.kind->name) + "' cannot be computed yet");
+    throw InputError(from.file, 0,
+                     "this program cannot compute cases of kind '" + std::string(from.kind->name) +
+                         "' yet; expected another kind");
 }
 
 ValidationResult runValidationCase(const ValidationCase& from, gl::ShaderLibrary& shaders) {
@@ -154,7 +156,7 @@ std::string numberText(const ValidationNumber& n) {
 } // namespace
 
 std::string validationHeads() {
-    return row({"number", "reference", "value", "ours", "error", "tolerance", "verdict (none: only told)"});
+    return row({"number", "reference", "value", "ours", "error", "tolerance", "verdict (none: no limit)"});
 }
 
 std::string validationText(const ValidationResult& result) {

@@ -43,8 +43,8 @@ constexpr std::array kRosenthal{
     CaseKey{"initial_temperature_k", number, 1, kHot, kNeeded, "plate"},
     CaseKey{"thickness_mm", number, 0.01, 1000, 0.0, "of the thin plate; not used by the thick one"},
     CaseKey{"at_mm", rows, -1000, 1000, kNeeded, "[xi, y, z] relative to the source, xi ahead, z down"},
-    CaseKey{"field_rms_percent", number, 0, 1000, 0.0, "most that the field's error may be; 0: only told"},
-    CaseKey{"field_max_percent", number, 0, 1000, 0.0, "same, at its worst place"},
+    CaseKey{"field_rms_percent", number, 0, 1000, 0.0, "greatest rms error of the field; 0: not checked"},
+    CaseKey{"field_max_percent", number, 0, 1000, 0.0, "greatest error at any point; 0: not checked"},
 };
 /// Joins two lists of keys to one, for the compiler.
 template <size_t M, size_t N>
@@ -59,12 +59,12 @@ constexpr std::array<CaseKey, M + N> joined(const std::array<CaseKey, M>& first,
 constexpr std::array kArc{
     CaseKey{"process", process, 0, 0, 0.0, "gmaw with wire or gtaw without"},
     CaseKey{"power_w", number, 0, 1e6, 0.0, "electric, where voltage and current are not given"},
-    CaseKey{"voltage", number, 0, 60, 0.0, "of the wire's machine"},
-    CaseKey{"current_a", number, 0, 2000, 0.0, "of an arc without wire, or of a machine that finds its feed by it"},
-    CaseKey{"wire_diameter_mm", number, 0, 10, 0.0, "0: no wire, an arc from tungsten"},
+    CaseKey{"voltage", number, 0, 60, 0.0, "of the welding machine, with wire"},
+    CaseKey{"current_a", number, 0, 2000, 0.0, "of an arc without wire; with wire the feed follows from it"},
+    CaseKey{"wire_diameter_mm", number, 0, 10, 0.0, "0: no wire, a tungsten electrode"},
     CaseKey{"wire_feed_m_min", number, 0, 100, 0.0, "of the wire"},
     CaseKey{"ctwd_mm", number, 1, 60, 15.0, "contact tip to work distance, with wire"},
-    CaseKey{"arc_length_mm", number, 0.3, 30, 3.0, "from tungsten"},
+    CaseKey{"arc_length_mm", number, 0.3, 30, 3.0, "from the tungsten electrode"},
 };
 /// Keys of every weld on a plate.
 constexpr std::array kPlate{
@@ -75,7 +75,7 @@ constexpr std::array kPlate{
 constexpr CaseKey kTravel{"speed_mm_s", number, 0.01, 1000, kNeeded, "of travel"};
 constexpr std::array kEnergy = joined(
     std::array{
-        CaseKey{"on_s", number, 0, 1e5, kNeeded, "how long the trigger is pulled"},
+        CaseKey{"on_s", number, 0, 1e5, kNeeded, "time that the trigger is pulled"},
         CaseKey{"loss", lossRate, 0, 1e6, 0.0, "heat lost from the surface: true, false or W/(m² K)"},
         CaseKey{"speed_mm_s", number, 0, 1000, 0.0, "of travel"},
     },
@@ -97,7 +97,7 @@ constexpr std::array kCavity{
     CaseKey{"hot_k", number, 1, kHot, kNeeded, "hot wall"},
     CaseKey{"cold_k", number, 1, kHot, kNeeded, "cold wall"},
     CaseKey{"initial_k", number, 1, kHot, kNeeded, "metal at the start"},
-    CaseKey{"times_s", list, 0.001, 1e6, kNeeded, "when to compare, rising"},
+    CaseKey{"times_s", list, 0.001, 1e6, kNeeded, "times to compare at, rising"},
 };
 constexpr std::array kBead =
     joined(joined(std::array{kTravel,
@@ -116,11 +116,11 @@ constexpr std::array kFillet =
                   kPlate),
            kArc);
 constexpr std::array kSpot = joined(
-    joined(std::array{CaseKey{"on_s", number, 0.02, 600, kNeeded, "how long the trigger is pulled"}}, kPlate), kArc);
+    joined(std::array{CaseKey{"on_s", number, 0.02, 600, kNeeded, "time that the trigger is pulled"}}, kPlate), kArc);
 constexpr std::array kCooling =
-    joined(joined(std::array{kTravel, CaseKey{"hot_k", number, 300, kHot, 1730.15, "where the rate's interval begins"},
-                             CaseKey{"cold_k", number, 300, kHot, 1539.15, "where it ends"},
-                             CaseKey{"until_k", number, 0, kHot, 0.0, "where the case ends; 0: at cold_k"}},
+    joined(joined(std::array{kTravel, CaseKey{"hot_k", number, 300, kHot, 1730.15, "start of the rate's interval"},
+                             CaseKey{"cold_k", number, 300, kHot, 1539.15, "end of the rate's interval"},
+                             CaseKey{"until_k", number, 0, kHot, 0.0, "temperature that ends the case; 0: cold_k"}},
                   kPlate),
            kArc);
 
@@ -197,7 +197,7 @@ void readMelting(TomlTable& table, Material& m) {
     const double other = sharp && table.has("liquidus_k") ? table.number("liquidus_k", {1, kNeverMelts}) : m.solidus;
     m.solidus = table.number("solidus_k", {1, kNeverMelts}, other);
     m.liquidus = table.number("liquidus_k", {1, kNeverMelts}, sharp ? m.solidus : m.liquidus);
-    if (m.liquidus < m.solidus) table.fail("liquidus_k", "must not lie below the solidus");
+    if (m.liquidus < m.solidus) table.fail("liquidus_k", "is below the solidus; expected the solidus or more");
 }
 
 Material readCaseMaterial(TomlTable& file, CaseMatter matter) {
@@ -229,7 +229,8 @@ Material readCaseMaterial(TomlTable& file, CaseMatter matter) {
     m.sulphur = table.number("sulphur_percent", {0, kMostSulphur}, table.has("surface_tension") ? 0 : m.sulphur);
     if (m.sulphur > 0 && !(m.tensionAt(m.solidus) > 0))
         table.fail(table.has("sulphur_percent") ? "sulphur_percent" : "surface_tension",
-                   "leaves no surface tension at the solidus with " + formatNumber(m.sulphur) + " % of sulphur");
+                   "leaves no surface tension at the solidus with " + formatNumber(m.sulphur) +
+                       " % of sulphur; expected some");
     constant("viscosity", {viscous ? kLeast : 0, 1e4}, m.viscosity, viscous, metal ? kUsualViscosity : 0);
     constant("expansion", {-1e-2, 1e-2}, m.expansion, false, 0);
     constant("emissivity", {0, 1}, m.emissivity, false, 0);
@@ -274,7 +275,7 @@ void readCaseKey(TomlTable& table, const CaseKey& key, ValidationCase& result) {
 std::string presentName(TomlTable& measured, const ValidationCase& result, const std::string& key) {
     constexpr std::string_view kFormer = "width_mm", kPresent = "fused_width_mm";
     if (key != kFormer || result.kind->name != "bead_on_plate") return key;
-    if (measured.has(kPresent)) measured.fail(key, "is the former name of fused_width_mm; expected one of the two");
+    if (measured.has(kPresent)) measured.fail(key, "is the old name of fused_width_mm; expected only one of them");
     return std::string(kPresent);
 }
 
@@ -289,7 +290,7 @@ void readMeasured(TomlTable& file, ValidationCase& result) {
         if (key.ends_with(kSuffix)) continue;
         const std::string name = presentName(table, result, key);
         if (std::find(names.begin(), names.end(), name) == names.end())
-            table.fail(key, "this case has no such result; it has " + known);
+            table.fail(key, "this case has no such result; expected one of " + known);
         Measured& measured = result.measured[name];
         measured.values = table.isList(key) ? table.numbers(key) : std::vector{table.number(key)};
         measured.tolerancePercent = table.number(key + std::string(kSuffix), {0, 1000}, result.tolerancePercent);
@@ -317,7 +318,7 @@ void checkStefan(TomlTable& table, const ValidationCase& result) {
     if (result.kind->name == "stefan_one_phase") {
         constexpr double kSlack = 1; // K, of a rounded melting point
         if (initial < m.solidus - kSlack || initial > m.liquidus + kSlack)
-            table.fail("initial_temperature_k", "one phase waits at its melting point; expected " +
+            table.fail("initial_temperature_k", "a single phase starts at its melting point; expected " +
                                                     formatNumber(melting) + ", or kind = \"stefan_two_phase\"");
     } else if (melts ? initial > m.solidus : initial < m.liquidus) {
         table.fail("initial_temperature_k", melts ? "expected metal at or below the solidus before a hot wall"
@@ -349,7 +350,7 @@ void checkProcess(TomlTable& table, const ValidationCase& result) {
     if (result.number("wire_diameter_mm") <= 0)
         table.fail("wire_diameter_mm", "is missing; expected the diameter of the wire in mm");
     if (result.number("wire_feed_m_min") <= 0 && result.number("current_a") <= 0)
-        table.fail("wire_feed_m_min", "is missing; expected the wire's feed in m/min, or current_a in A");
+        table.fail("wire_feed_m_min", "is missing; expected the wire feed in m/min, or current_a in A");
 }
 
 /// Checks that an arc has its current, or wire and a voltage, or at least its power.
@@ -359,7 +360,7 @@ void checkArc(TomlTable& table, const ValidationCase& result) {
         table.fail("power_w", "is missing; expected power_w, or current_a, or voltage, wire_diameter_mm and "
                               "wire_feed_m_min");
     if (hasWire(result) && result.number("power_w") <= 0 && result.number("voltage") <= 0)
-        table.fail("voltage", "is missing; expected the voltage of the wire's machine in V");
+        table.fail("voltage", "is missing; expected the welding machine's voltage in V");
 }
 
 /// Checks that a fillet and a cooling rate have wire, and that temperatures fall.
@@ -367,12 +368,12 @@ void checkWeld(TomlTable& table, const ValidationCase& result) {
     const std::string_view kind = result.kind->name;
     checkArc(table, result);
     if (kind == "fillet" && !hasWire(result))
-        table.fail("wire_diameter_mm", "is missing; expected a wire: a fillet is of fed metal");
+        table.fail("wire_diameter_mm", "is missing; expected a wire, because a fillet needs filler");
     if (kind != "cooling") return;
     if (result.number("cold_k") >= result.number("hot_k")) table.fail("cold_k", "expected less than hot_k");
     if (result.number("until_k") > result.number("cold_k")) table.fail("until_k", "expected at most cold_k, or 0");
     const double until = result.number("until_k") > 0 ? result.number("until_k") : result.number("cold_k");
-    if (result.number("ambient_k") >= until) table.fail("ambient_k", "expected less than where the case ends");
+    if (result.number("ambient_k") >= until) table.fail("ambient_k", "expected less than the last temperature");
 }
 
 /// Checks keys against each other.
@@ -384,10 +385,10 @@ void checkTogether(TomlTable& table, const ValidationCase& result) {
     if (kind == "bead_on_plate" || kind == "fillet" || kind == "arc_spot" || kind == "cooling")
         checkWeld(table, result);
     if (kind == "poiseuille" && result.number("body_force_n_m3") == 0)
-        table.fail("body_force_n_m3", "expected a force other than 0: else nothing flows");
+        table.fail("body_force_n_m3", "is 0, so nothing flows; expected another force");
     if (kind == "cavity_melting") {
         const auto& times = result.list("times_s");
-        if (!std::is_sorted(times.begin(), times.end())) table.fail("times_s", "times must rise");
+        if (!std::is_sorted(times.begin(), times.end())) table.fail("times_s", "expected rising times");
         if (result.number("hot_k") <= result.number("cold_k"))
             table.fail("hot_k", "expected a hot wall above the cold one");
     }

@@ -80,7 +80,7 @@ TEST_CASE("a school's and a person's lessons are listed in groups; faults are to
     const test::Outcome missing = runMeltpool("lessons", folders.before);
     CHECK(missing.code == 2);
     CHECK_THAT(missing.output, containsText("\nmy-bead "));
-    CHECK_THAT(missing.errors, containsText("expected a folder with lessons, as MELTPOOL_LESSONS names it"));
+    CHECK_THAT(missing.errors, containsText("expected a folder with lessons (MELTPOOL_LESSONS names it)"));
 }
 
 TEST_CASE("own lessons run and are checked by name, with path, metal and limits beside them", "[app]") {

@@ -278,9 +278,9 @@ check_headset() {
     XR_RUNTIME_JSON='Z:\nowhere\other.json' runs 0 doctor
     remove_runtime
     says 'runtime.json'
-    says 'other.json is not looked at'
+    says 'other.json is ignored'
     says 'stub headset'
-    says 'OpenGL handed over by                WGL'
+    says 'OpenGL binding                       WGL'
     in_order xrNegotiateLoaderRuntimeInterface xrGetOpenGLGraphicsRequirementsKHR xrCreateSession xrCreateSwapchain xrWaitFrame \
         xrBeginFrame xrEndFrame xrDestroySession
     ! grep FAULT "$work/calls" || fail 'the runtime complains'

@@ -43,7 +43,7 @@ TEST_CASE("the doctor sees runtime, headset, formats, rate and controllers", "[r
         UNSCOPED_INFO(fact.name << ": " << fact.value);
     CHECK(told.usable);
     CHECK(told.advice == "");
-    CHECK(valueOf(told, "OpenGL handed over by") == "EGL");
+    CHECK(valueOf(told, "OpenGL binding") == "EGL");
     CHECK_THAT(valueOf(told, "OpenXR runtime"), containsText("Monado"));
     CHECK_THAT(valueOf(told, "picture formats"), containsText("SRGB8_ALPHA8"));
     CHECK(valueOf(told, "refresh rate") == "60.0 Hz");

@@ -62,7 +62,7 @@ bool readHeadLine(AttemptHead& head, std::string_view word, std::string_view tex
     }
     if (word != "attempt") return false;
     const auto number = parseInteger(text);
-    if (!number || *number < 0) throw InputError("the attempt is no number; expected one from 1");
+    if (!number || *number < 0) throw InputError("the attempt's number is not a whole number; expected 1 or more");
     head.attempt = static_cast<int>(std::min<std::int64_t>(*number, kMostAttempts));
     return true;
 }

@@ -94,7 +94,7 @@ void CheckpointRing::work() {
             made = packed();
             give(made);
         } catch (const std::exception& failure) {
-            fault = std::string("The way back into this attempt is kept no longer: ") + failure.what();
+            fault = std::string("You can no longer go back in this attempt: ") + failure.what();
         }
         lock.lock();
         fault_ = fault;
@@ -126,7 +126,7 @@ CheckpointRing::KeptCheckpoint CheckpointRing::packed() {
 void CheckpointRing::addHistory() {
     if (!keeps_ || fresh_.historyTo <= historyKept_) return;
     if (fresh_.historyFrom != historyKept_)
-        throw RuntimeFault("a moment without the steps of the hand before it was to be kept");
+        throw RuntimeFault("a checkpoint came without the torch's steps before it; expected all of them");
     history_.insert(history_.end(), fresh_.history.begin(), fresh_.history.end());
     historyKept_ = fresh_.historyTo;
 }

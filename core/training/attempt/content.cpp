@@ -50,7 +50,7 @@ glm::quat readTurn(ByteReader& reader) {
     for (const float each : {x, y, z, w})
         square += static_cast<double>(each) * static_cast<double>(each);
     require(std::abs(std::sqrt(square) - 1) <= kQuaternionSlack,
-            "an orientation has not the length 1; expected a unit quaternion");
+            "an orientation's length is not 1; expected a unit quaternion");
     return {w, x, y, z};
 }
 
@@ -89,8 +89,8 @@ void appendArc(ByteWriter& writer, const ArcState& arc) {
 ArcState readArc(ByteReader& reader) {
     ArcState arc;
     const std::uint32_t action = reader.u32(), noArc = reader.u32();
-    require(action <= static_cast<std::uint32_t>(ArcAction::breaking), "what the arc does is unknown; expected 0 to 5");
-    require(noArc <= static_cast<std::uint32_t>(NoArc::usedUp), "why there is no arc is unknown; expected 0 to 11");
+    require(action <= static_cast<std::uint32_t>(ArcAction::breaking), "the arc's action is unknown; expected 0 to 5");
+    require(noArc <= static_cast<std::uint32_t>(NoArc::usedUp), "the reason for no arc is unknown; expected 0 to 11");
     arc.action = static_cast<ArcAction>(action);
     arc.noArc = static_cast<NoArc>(noArc);
     for (float* each : {&arc.distance, &arc.extension, &arc.length, &arc.current, &arc.voltage})
@@ -131,7 +131,7 @@ AttemptHead readHead(std::string_view content) {
     AttemptHead head;
     std::uint64_t format = 0;
     eachLine(content, [&](std::string_view word, std::string_view rest) {
-        if (word == "format") format = wholeNumber(rest, "the format is no number; expected 1");
+        if (word == "format") format = wholeNumber(rest, "the format is not a number; expected 1");
         if (readHeadLine(head, word, rest)) return;
         if (word == "arc") head.arc = rest == "yes";
         if (word == "rod") head.rod = rest == "yes";
@@ -141,7 +141,7 @@ AttemptHead readHead(std::string_view content) {
         head.values.emplace_back(rest.substr(0, key), trimText(rest.substr(key)));
     });
     require(format >= 1 && format <= kRecordingFormat,
-            "the recording is of another format; expected format 1, or a later version of the program");
+            "the recording has another format; expected format 1, or a newer version of the program");
     return head;
 }
 
@@ -167,14 +167,14 @@ RecordingEnd readEnd(std::string_view content) {
     eachLine(content.substr(0, content.size() - kEndTailBytes), [&](std::string_view word, std::string_view rest) {
         if (word == "ended") end.reason = rest;
         if (word == "state_hash") end.stateHash = rest;
-        if (word == "steps") end.steps = wholeNumber(rest, "the steps are no number; expected one from 0");
-        if (word == "seconds") end.seconds = number(rest, 0, kLongest, "the seconds are no time; expected 0 to 86400");
-        if (word == "real_time") end.realTime = number(rest, 0, 1e6, "real_time is no ratio; expected one from 0");
+        if (word == "steps") end.steps = wholeNumber(rest, "steps is not a whole number; expected 0 or more");
+        if (word == "seconds") end.seconds = number(rest, 0, kLongest, "seconds is out of range; expected 0 to 86400");
+        if (word == "real_time") end.realTime = number(rest, 0, 1e6, "real_time is not a ratio; expected 0 or more");
         if (word == "least_real_time")
-            end.leastRealTime = number(rest, 0, 1e6, "least_real_time is no ratio; expected one from 0");
-        if (word == "score") end.score = number(rest, 0, 100, "the score is no number; expected one from 0 to 100");
+            end.leastRealTime = number(rest, 0, 1e6, "least_real_time is not a ratio; expected 0 or more");
+        if (word == "score") end.score = number(rest, 0, 100, "score is out of range; expected 0 to 100");
         if (word == "verdict") end.verdict = rest;
-        if (word == "redone") end.redone = wholeNumber(rest, "redone is no number; expected one from 0");
+        if (word == "redone") end.redone = wholeNumber(rest, "redone is not a whole number; expected 0 or more");
     });
     return end;
 }
@@ -203,14 +203,14 @@ RecordingStep readStep(std::string_view content) {
     RecordingStep step;
     step.steps = reader.u64();
     step.torch.time = reader.f64();
-    require(step.torch.time >= 0 && step.torch.time <= kLongest, "a time is no time; expected 0 to 86400 s");
+    require(step.torch.time >= 0 && step.torch.time <= kLongest, "a time is out of range; expected 0 to 86400 s");
     step.torch.tip = readPlace(reader);
     step.torch.orientation = readTurn(reader);
     step.torch.trigger = reader.f32();
     require(step.torch.trigger >= 0 && step.torch.trigger <= 1, "a trigger is out of range; expected 0 to 1");
     const std::uint32_t flags = reader.u32();
     step.realTime = reader.f64();
-    require(step.realTime >= 0 && step.realTime <= 1e6, "a step's real time is no ratio; expected one from 0");
+    require(step.realTime >= 0 && step.realTime <= 1e6, "a step's real time is not a ratio; expected 0 or more");
     RodSample rod;
     rod.tip = readPlace(reader);
     rod.orientation = readTurn(reader);
@@ -234,13 +234,13 @@ std::array<char, kPersonBytes> personContent(const RecordingPerson& person) {
 }
 
 RecordingPerson readPerson(std::string_view content) {
-    require(content.size() >= kPersonBytes, "a person is too short; expected 100 bytes");
+    require(content.size() >= kPersonBytes, "the person's data is too short; expected 100 bytes");
     ByteReader reader(content);
     RecordingPerson person;
     person.steps = reader.u64();
     const std::uint32_t flags = reader.u32();
     person.zoom = reader.f32();
-    require(person.zoom > 0 && person.zoom <= 1000, "a zoom is out of range; expected more than 0");
+    require(person.zoom > 0 && person.zoom <= 1000, "a zoom is out of range; expected more than 0, at most 1000");
     person.head = readPose(reader, (flags & kHead) != 0);
     person.left = readPose(reader, (flags & kLeft) != 0);
     person.right = readPose(reader, (flags & kRight) != 0);
@@ -261,7 +261,7 @@ RecordingNote readNote(std::string_view content) {
     RecordingNote note;
     note.steps = reader.u64();
     const std::uint32_t length = reader.u32();
-    require(length > 0 && length <= reader.left(), "a change or event has no name; expected one within its frame");
+    require(length > 0 && length <= reader.left(), "a change or event has no name; expected a name within its frame");
     note.name = reader.rest().substr(0, length);
     note.value = reader.rest().substr(length);
     return note;
@@ -276,7 +276,7 @@ std::array<char, kCheckpointHeadBytes> checkpointHead(const CheckpointHead& head
 }
 
 CheckpointHead readCheckpointHead(std::string_view content) {
-    require(content.size() >= kCheckpointHeadBytes, "a checkpoint is too short; expected 12 bytes and more");
+    require(content.size() >= kCheckpointHeadBytes, "a checkpoint is too short; expected 12 bytes or more");
     ByteReader reader(content);
     CheckpointHead head;
     head.steps = reader.u64();

@@ -42,7 +42,7 @@ void appendFrame(std::string& file, FrameChain& chain, std::uint32_t kind, std::
 
 FrameReader::FrameReader(const fs::path& file) {
     std::error_code unreadable;
-    if (!isPlainFile(file)) throw InputError(file, 0, "is no recording; expected a file");
+    if (!isPlainFile(file)) throw InputError(file, 0, "is not a file; expected a recording");
     size_ = fs::file_size(file, unreadable);
     stream_.open(file, std::ios::binary);
     if (unreadable || !stream_) throw InputError(file, 0, "cannot be read; expected a recording");
@@ -51,7 +51,7 @@ FrameReader::FrameReader(const fs::path& file) {
     if (!take(begin, there)) throw InputError(file, 0, "cannot be read to its end; expected a recording");
     if (!kRecordingSignature.starts_with(begin))
         throw InputError(file, 0,
-                         "does not begin like a recording, in its first 8 bytes; expected one of this program");
+                         "does not begin like a recording (first 8 bytes); expected a recording of this program");
     offset_ = there;
     if (there < kRecordingSignature.size()) ended_ = Ended::cut;
 }

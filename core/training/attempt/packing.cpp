@@ -44,7 +44,7 @@ constexpr size_t kHeadBytes = headNumbers * sizeof(std::uint64_t);
 constexpr size_t kHashedFrom = referenceHash * sizeof(std::uint64_t);
 
 [[noreturn]] void refuse(const std::string& found) {
-    throw InputError("the packed checkpoint " + found + "; expected the bytes that were packed");
+    throw InputError("the packed checkpoint " + found + "; expected its bytes unchanged");
 }
 
 /// `length` bytes from `from` on, or as many as there are.
@@ -150,7 +150,7 @@ std::vector<std::uint64_t> numbersOf(const Checkpoint& checkpoint, const Checkpo
     numbers[rawBytes] = raw;
     for (const gl::StatePart& part : checkpoint.parts) {
         if (part.rowWords == 0 || part.rowWords > kMostRowWords)
-            throw RuntimeFault("a checkpoint was to pack rows of " + std::to_string(part.rowWords) + " words");
+            throw RuntimeFault("a checkpoint cannot pack rows of " + std::to_string(part.rowWords) + " words");
         numbers.push_back(std::uint64_t{part.bytes} << kPartBits | part.rowWords << 1U | (part.list ? 1U : 0U));
     }
     return numbers;
@@ -164,15 +164,15 @@ std::uint64_t numberAt(std::span<const std::byte> packed, size_t place) {
 
 /// Throws InputError unless `packed` has its stored hash and was packed with `reference`.
 void check(std::span<const std::byte> packed, const Checkpoint& reference) {
-    if (packed.size() < kHeadBytes || numberAt(packed, magic) != kMagic) refuse("does not begin as one does");
+    if (packed.size() < kHeadBytes || numberAt(packed, magic) != kMagic) refuse("does not begin like one");
     if (numberAt(packed, packedHash) != hashOfBytes(packed.subspan(kHashedFrom))) refuse("is damaged");
     if (numberAt(packed, referenceHash) != reference.hash)
         throw InputError("the packed checkpoint of step " + std::to_string(numberAt(packed, step)) +
-                         " was packed with another reference; expected that one");
+                         " needs another reference; expected the one used to pack it");
     const std::uint64_t parts = numberAt(packed, stateParts);
-    if (parts > (packed.size() - kHeadBytes) / sizeof(std::uint64_t)) refuse("ends among the sizes of its parts");
+    if (parts > (packed.size() - kHeadBytes) / sizeof(std::uint64_t)) refuse("ends within the sizes of its parts");
     for (const Head size : {historyBytes, stateBytes, rawBytes})
-        if (numberAt(packed, size) > kMostBytes) refuse("has a size that no checkpoint has");
+        if (numberAt(packed, size) > kMostBytes) refuse("has an impossible size");
 }
 
 Checkpoint headOf(std::span<const std::byte> packed) {
@@ -188,11 +188,11 @@ Checkpoint headOf(std::span<const std::byte> packed) {
     for (std::uint64_t i = 0; i < numberAt(packed, stateParts); ++i) {
         const std::uint64_t part = numberAt(packed, headNumbers + i);
         const std::uint64_t bytes = part >> kPartBits, rowWords = part >> 1U & kMostRowWords;
-        if (bytes > kMostBytes || rowWords == 0) refuse("has a size that no checkpoint has");
+        if (bytes > kMostBytes || rowWords == 0) refuse("has an impossible size");
         made.parts.push_back({bytes, (part & 1U) != 0, false, rowWords});
         all += bytes;
     }
-    if (all != numberAt(packed, stateBytes)) refuse("has parts of another size in all");
+    if (all != numberAt(packed, stateBytes)) refuse("has sizes of parts that do not add up");
     made.history.resize(numberAt(packed, historyBytes));
     made.bytes.resize(all);
     return made;
@@ -203,7 +203,7 @@ std::vector<std::byte> inflated(std::span<const std::byte> from, size_t bytes) {
     auto length = static_cast<uLongf>(raw.size());
     const int answer = uncompress(reinterpret_cast<Bytef*>(raw.data()), &length,
                                   reinterpret_cast<const Bytef*>(from.data()), static_cast<uLong>(from.size()));
-    if (answer != Z_OK || length != bytes) refuse("cannot be inflated");
+    if (answer != Z_OK || length != bytes) refuse("cannot be decompressed");
     raw.resize(bytes);
     return raw;
 }
@@ -219,7 +219,7 @@ std::vector<std::byte> pack(const Checkpoint& checkpoint, const Checkpoint& refe
     auto length = static_cast<uLongf>(packed.size() - head.size());
     const int answer = compress2(reinterpret_cast<Bytef*>(packed.data() + head.size()), &length,
                                  reinterpret_cast<const Bytef*>(raw.data()), static_cast<uLong>(raw.size()), kFastest);
-    if (answer != Z_OK) throw RuntimeFault("there is no memory to pack a checkpoint of the lesson");
+    if (answer != Z_OK) throw RuntimeFault("there is no memory to pack a checkpoint; expected free memory");
     packed.resize(head.size() + length);
     packed.shrink_to_fit();
     const std::uint64_t hash = hashOfBytes(std::span<const std::byte>(packed).subspan(kHashedFrom));

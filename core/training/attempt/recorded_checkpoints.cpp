@@ -64,8 +64,8 @@ std::optional<Checkpoint> RecordedCheckpoints::last(size_t count) {
     const size_t known = technique_ ? technique_->steps().size() : 0;
     if (made.step != at.steps || made.historyTo > known)
         throw InputError(file_, 0,
-                         "holds a moment of step " + std::to_string(made.step) + " behind step " +
-                             std::to_string(at.steps) + "; expected the attempt's own");
+                         "holds a checkpoint of step " + std::to_string(made.step) + " at step " +
+                             std::to_string(at.steps) + "; expected one of this step");
     gl::StateArchive history(made.history);
     if (technique_) technique_->transferSteps(history, 0, made.historyTo);
     made.historyFrom = 0;

@@ -58,7 +58,7 @@ class Reader {
 
     void take(const RecordingFrame& frame) {
         if (frame.is(FrameKind::head) != (frame.number == 1))
-            throw InputError("the head stands elsewhere; expected it first, and once");
+            throw InputError("the head is missing or misplaced; expected it first, and once");
         if (frame.is(FrameKind::head)) recording_.head = readHead(frame.content);
         if (frame.is(FrameKind::step)) addStep(frame);
         if (frame.is(FrameKind::person)) addPerson(frame);
@@ -74,14 +74,14 @@ class Reader {
             throw InputError("it is step " + std::to_string(step.steps) + "; expected step " +
                              std::to_string(recording_.steps.size() + 1));
         if (step.torch.time < recording_.seconds())
-            throw InputError("its time is before that of the step before; expected a later one");
+            throw InputError("its time is earlier than the previous step's; expected a later one");
         recording_.steps.push_back(step);
     }
 
     /// Throws unless a frame between two steps holds the number of steps made so far.
     void requireSteps(std::uint64_t steps) const {
         if (steps != recording_.steps.size())
-            throw InputError("it stands behind " + std::to_string(steps) + " steps; expected " +
+            throw InputError("it follows " + std::to_string(steps) + " steps; expected " +
                              std::to_string(recording_.steps.size()));
     }
 
@@ -109,7 +109,7 @@ class Reader {
         const std::uint64_t steps = redo.steps;
         if (steps > recording_.steps.size() || redo.value != std::to_string(steps))
             throw InputError("it goes back to step " + printable(redo.value, 20) +
-                             "; expected the step that it stands behind, from 0 to " +
+                             "; expected the step that it follows, from 0 to " +
                              std::to_string(recording_.steps.size()));
         recording_.steps.resize(steps);
         const auto after = [steps](const auto& each) { return each.steps > steps; };
@@ -161,8 +161,8 @@ class Reader {
     void requireNoneEarly() const {
         if (early_.empty()) return;
         throw InputError(recording_.file, 0,
-                         placeText(early_.front().frame, recording_.seconds()) + ": its checkpoint is of an end " +
-                             std::to_string(early_.front().head.redone) + " times back; expected at most " +
+                         placeText(early_.front().frame, recording_.seconds()) + ": its checkpoint follows " +
+                             std::to_string(early_.front().head.redone) + " returns; expected at most " +
                              std::to_string(backTo_.size()));
     }
 
@@ -275,9 +275,9 @@ Recording readSoundRecording(const fs::path& file) {
     if (recording.damaged())
         throw InputError(file, 0,
                          recording.stateSentence() +
-                             "; expected a sound recording ('meltpool recordings --csv' keeps what is whole)");
+                             "; expected an undamaged recording ('meltpool recordings --csv' saves the whole part)");
     if (recording.steps.empty())
-        throw InputError(file, 0, "holds no whole step; expected an attempt in which something was done");
+        throw InputError(file, 0, "holds no whole step; expected an attempt with one step or more");
     return recording;
 }
 
@@ -297,7 +297,7 @@ std::vector<std::byte> readCheckpoint(const fs::path& file, const RecordingCheck
     std::ifstream stream(file, std::ios::binary);
     stream.seekg(static_cast<std::streamoff>(checkpoint.offset));
     stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    if (!fits || !stream) throw InputError(file, 0, "is another file than before; expected the checkpoints it had");
+    if (!fits || !stream) throw InputError(file, 0, "has changed meanwhile; expected its checkpoints unchanged");
     return bytes;
 }
 

@@ -49,8 +49,8 @@ RecordingWriter::RecordingWriter(const std::filesystem::path& file, const Attemp
         thread_ = std::thread([this] { run(); });
     } catch (const std::system_error& failure) {
         file_.remove();
-        throw RuntimeFault(file.string() + ": cannot be written beside the weld: " + failure.what() +
-                           "; expected a machine with room for another thread");
+        throw RuntimeFault(file.string() + ": the thread that writes cannot start: " + failure.what() +
+                           "; expected a computer with room for another thread");
     }
 }
 
@@ -148,10 +148,9 @@ void RecordingWriter::run() {
         gather();
         if (!write() || !lookForFile(closing)) break;
         if (overflowed)
-            fail(file().string() +
-                 ": the disk was too slow to take what is recorded; expected one that takes 100 kB/s");
+            fail(file().string() + ": the disk is too slow for the recording; expected one that takes 100 kB/s");
     }
-    if (!file_.finish()) fail(file().string() + ": the recording cannot be brought to the disk: " + file_.reason());
+    if (!file_.finish()) fail(file().string() + ": the recording cannot be saved to the disk: " + file_.reason());
     finished_.store(true, std::memory_order_release);
 }
 
@@ -187,7 +186,7 @@ bool RecordingWriter::write() {
     const std::uint64_t before = file_.written();
     const bool good = batch_.empty() || file_.append(batch_);
     if (!good) {
-        fail(file().string() + ": the recording cannot be written on: " + file_.reason());
+        fail(file().string() + ": the recording cannot be continued: " + file_.reason());
         file_.cut(before + wholeFrames(batch_, static_cast<size_t>(file_.written() - before)));
     }
     bytes_.store(file_.written(), std::memory_order_relaxed);
@@ -200,7 +199,7 @@ bool RecordingWriter::lookForFile(bool now) {
     if (!now && Clock::now() < look_) return true;
     look_ = Clock::now() + kLook;
     if (file_.there()) return true;
-    fail(file().string() + ": the recording is no longer there; expected that its folder stays while a weld runs");
+    fail(file().string() + ": the recording is no longer there; expected its folder to stay while a weld runs");
     return false;
 }
 

@@ -85,8 +85,8 @@ SizeBounds readBounds(TomlTable& table, const std::string& size) {
                       below = size + "_below_mm";
     for (const std::string* key : {&above, &from, &upTo, &below})
         table.allow(*key);
-    if (table.has(above) && table.has(from)) table.fail(from, "stands beside " + above + "; expected one of them");
-    if (table.has(upTo) && table.has(below)) table.fail(below, "stands beside " + upTo + "; expected one of them");
+    if (table.has(above) && table.has(from)) table.fail(from, "conflicts with " + above + "; expected one of them");
+    if (table.has(upTo) && table.has(below)) table.fail(below, "conflicts with " + upTo + "; expected one of them");
     bounds.lowIncluded = !table.has(above);
     bounds.highIncluded = !table.has(below);
     for (const std::string* key : {&above, &from})
@@ -129,7 +129,7 @@ AcceptanceItem readItem(TomlTable& table) {
                              {"at_least", LimitKind::atLeast},
                          }});
     if (item.kind == LimitKind::notPermitted) {
-        if (hasFormula(table, unit)) table.fail("limit", "is not_permitted; expected no numbers beside it");
+        if (hasFormula(table, unit)) table.fail("limit", "is not_permitted; expected no numbers with it");
     } else {
         if (!hasFormula(table, unit))
             table.fail("const_" + unit, "is missing; expected const_" + unit + ", per_b, per_a or per_t: the limit");
@@ -140,7 +140,7 @@ AcceptanceItem readItem(TomlTable& table) {
     item.leg = readBounds(table, "leg");
     table.allow("short");
     if (table.has("short")) {
-        if (item.kind == LimitKind::atLeast) table.fail("short", "expected none beside at_least");
+        if (item.kind == LimitKind::atLeast) table.fail("short", "does not fit at_least; expected none");
         item.shortOnes = readShort(table.table("short"), unit);
     }
     table.finish();

@@ -93,7 +93,7 @@ TechniqueBands readTechniqueBands(TomlTable& table, DistanceKind distance, const
     table.finish();
     const double weights = std::accumulate(result.bands.begin(), result.bands.end(), 0.0,
                                            [](double sum, const TechniqueBand& each) { return sum + each.weight; });
-    if (!(weights > 0)) table.fail("technique", "judges nothing; expected a band such as travel_speed with a weight");
+    if (!(weights > 0)) table.fail("technique", "judges nothing; expected one band with a weight above 0");
     return result;
 }
 

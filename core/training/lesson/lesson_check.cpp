@@ -63,7 +63,7 @@ Expectation readExpectation(TomlTable& table, const std::string& key, const Less
     const bool banded = std::find(judged.begin(), judged.end(), key) != judged.end();
     if (key == "score" || banded || findStationFigure(key)) return {key, readRange(table, key)};
     table.fail(key,
-               "is no value of a judged weld; expected score, scored, lowest, accepted, a parameter that the lesson "
+               "is not a value of a judged weld; expected score, scored, lowest, accepted, a parameter that the lesson "
                "judges, an imperfection, or a column of weld.csv");
 }
 

@@ -50,7 +50,7 @@ void readProcess(TomlTable& root, ProcessSettings& settings) {
                          group.file().string() + ":" + std::to_string(group.lineOf(parameter.key)));
     for (const std::string& key : group.keys())
         if (const std::string_view successor = successorOf(settings, key); !successor.empty())
-            group.fail(key, "is no setting of this process any more; " + std::string(successor));
+            group.fail(key, "is no longer a setting of this process; " + std::string(successor));
     for (const Parameter& parameter : list)
         group.allow(parameter.key);
     group.finish();
@@ -59,7 +59,7 @@ void readProcess(TomlTable& root, ProcessSettings& settings) {
 /// Reads the limits of one setting that the trainee chooses.
 ChosenSetting readLimits(TomlTable table, const Parameter& setting) {
     if (!std::holds_alternative<float*>(setting.value))
-        table.fail("from", "limits " + quote(setting.key) + ", which is no number; expected a setting that is one");
+        table.fail("from", "limits " + quote(setting.key) + ", which is not a number; expected a numeric setting");
     ChosenSetting chosen{std::string(setting.key), 0, 0, {}};
     chosen.from = table.number("from", {setting.minimum, setting.maximum});
     chosen.to = table.number("to", {chosen.from, setting.maximum});
@@ -82,7 +82,7 @@ void readChoose(TomlTable& root, Lesson& lesson) {
         const double own = parseDouble(parameterText(setting)).value_or(chosen.from);
         if (own < chosen.from || own > chosen.to)
             group.fail(setting.key, "goes from " + formatNumber(chosen.from) + " to " + formatNumber(chosen.to) +
-                                        "; expected limits about the lesson's own value, " + formatNumber(own));
+                                        "; expected limits around the lesson's own value, " + formatNumber(own));
         lesson.choose.push_back(chosen);
     }
     group.finish();
@@ -131,7 +131,7 @@ void readPictures(TomlTable& root, Lesson& lesson) {
     for (TomlTable& table : root.tables("picture")) {
         PictureLook picture{table.text("name"), lesson.look, lesson.camera};
         if (!isFileNamePart(picture.name)) table.fail("name", "expected letters, digits, '-' and '_' only");
-        if (!names.insert(picture.name).second) table.fail("name", "stands twice; expected each picture's own name");
+        if (!names.insert(picture.name).second) table.fail("name", "appears twice; expected a different name");
         const ParameterList list = picture.parameters();
         readParameters(table, list);
         for (const Parameter& parameter : list)

@@ -52,8 +52,7 @@ std::vector<fs::path> filesIn(const fs::path& folder, const std::string& expecte
 }
 
 std::string expectedFolder(LessonOrigin origin) {
-    if (origin == LessonOrigin::school)
-        return std::string("a folder with lessons, as ") + kSchoolVariable + " names it";
+    if (origin == LessonOrigin::school) return std::string("a folder with lessons (") + kSchoolVariable + " names it)";
     return "the folder of lessons";
 }
 
@@ -64,10 +63,10 @@ void tellNamesake(NamedLesson& lesson, const std::vector<NamedLesson>& earlier) 
     if (first == earlier.end()) return;
     const std::string meant = first->origin == LessonOrigin::shipped  ? "a shipped lesson"
                               : first->origin == LessonOrigin::school ? "a lesson of the school"
-                                                                      : "another lesson beside it";
+                                                                      : "another lesson in its folder";
     lesson.fault = InputError(lesson.file, 0,
-                              "has the name of " + meant + ", which '" + lesson.key +
-                                  "' means; expected a file name that no other lesson has, such as my-" + lesson.key +
+                              "has the name of " + meant + ", so '" + lesson.key +
+                                  "' means that one; expected a file name of its own, such as my-" + lesson.key +
                                   lesson.file.extension().string())
                        .what();
 }
@@ -118,7 +117,7 @@ std::vector<NamedLesson> LessonFolders::list(std::vector<std::string>* faults) c
             NamedLesson lesson{file.stem().string(), file, origin};
             tellNamesake(lesson, lessons);
             if (!isPlainFile(file)) // reading a pipe would wait for its writer
-                lesson.fault = InputError(file, 0, "is no lesson; expected a text file").what();
+                lesson.fault = InputError(file, 0, "is not a text file; expected a lesson").what();
             else if (origin != LessonOrigin::shipped && isForOtherReaders(file))
                 continue;
             lessons.push_back(std::move(lesson));
@@ -181,8 +180,8 @@ Lesson findLessonOf(const RecordedAttempt& attempt, const LessonFolders& folders
 std::string movedLessonText(const RecordedAttempt& attempt, const Lesson& lesson) {
     std::error_code failed;
     if (attempt.head.lessonFile.empty() || fs::exists(attempt.head.lessonFile, failed)) return {};
-    return "The lesson's file " + printable(attempt.head.lessonFile, 500) + " is no longer there; " +
-           printable(lesson.file.string(), 500) + " has the same name and is used.";
+    return "The lesson's file " + printable(attempt.head.lessonFile, 500) + " is no longer there; the program uses " +
+           printable(lesson.file.string(), 500) + ", which has the same name.";
 }
 
 } // namespace meltpool

@@ -35,23 +35,23 @@ std::string labelWithin(std::string_view process, const Parameter& setting) {
 
 ParameterList describe(RunParameters& r) {
     return {
-        {"seconds", "Length", "s", &r.seconds, 0, 3600, "simulated time of a run without a screen"},
-        {"pictures_every", "Pictures every", "s", &r.picturesEvery, 0, 3600, "0 takes one picture at the end"},
-        {"width", "Picture width", "pixels", &r.width, 16, 8192, "costs time per picture"},
-        {"height", "Picture height", "pixels", &r.height, 16, 8192, "costs time per picture"},
+        {"seconds", "Length", "s", &r.seconds, 0, 3600, "Simulated time of a run without a screen."},
+        {"pictures_every", "Pictures every", "s", &r.picturesEvery, 0, 3600, "Interval; 0: one picture at the end."},
+        {"width", "Picture width", "pixels", &r.width, 16, 8192, "A wider picture takes longer to draw."},
+        {"height", "Picture height", "pixels", &r.height, 16, 8192, "A higher picture takes longer to draw."},
     };
 }
 
 ParameterList describe(SourceParameters& s) {
-    return {{"source", "Source", "", &s.kind, 0, 1, "cold freezes what it touches", kSources}};
+    return {{"source", "Source", "", &s.kind, 0, 1, "Hot melts the metal, cold freezes it.", kSources}};
 }
 
 ParameterList describe(CameraParameters& c) {
     return {
-        {"azimuth", "Around", "deg", &c.azimuth, -360, 360, "0 stands before the workpiece, 90 on its right"},
-        {"elevation", "Over", "deg", &c.elevation, -89, 89, "0 looks along the table"},
-        {"distance", "Distance", "model units", &c.distance, 0.3, 20, "from the middle of the workpiece"},
-        {"field_of_view", "Field of view", "deg", &c.fieldOfView, 5, 120, "of the picture's height"},
+        {"azimuth", "Around", "deg", &c.azimuth, -360, 360, "0: in front of the workpiece; 90: on its right."},
+        {"elevation", "Over", "deg", &c.elevation, -89, 89, "Height as an angle; 0: level with the table."},
+        {"distance", "Distance", "model units", &c.distance, 0.3, 20, "Distance from the middle of the workpiece."},
+        {"field_of_view", "Field of view", "deg", &c.fieldOfView, 5, 120, "Angle that the picture's height covers."},
     };
 }
 

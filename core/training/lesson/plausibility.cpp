@@ -190,8 +190,8 @@ std::vector<std::string> lessonWarnings(const Lesson& lesson, const LessonFolder
     std::vector<std::string> sentences;
     const std::string name = "The lesson " + printable(lesson.file.filename().string(), 80) + " ";
     if (lesson.title == lesson.key)
-        sentences.push_back(name + "has no title: lists show its file's name. A line such as title = \"Fillet weld\" "
-                                   "is expected.");
+        sentences.push_back(name + "has no title, so lists show its file's name; expected a line such as title = "
+                                   "\"Fillet weld\".");
     if (!lesson.next.empty() && catalogue.named(lesson.next).empty())
         sentences.push_back(name + "names " + quote(lesson.next) +
                             " as the next lesson, which is not in the catalogue.");

@@ -88,7 +88,7 @@ class Reader {
         if (name == "redo") return goBack(text);
         if (name == "begun_at")
             throw InputError(attempt_.file, line_,
-                             "begins in the middle of an attempt, as of 'meltpool replay --seek'; expected a record "
+                             "begins in the middle of an attempt, like 'meltpool replay --seek'; expected a record "
                              "from the first step on");
         (spoilsScore(name) ? attempt_.events : attempt_.notes)
             .push_back({stepsBefore(), std::string(name), std::string(text)});
@@ -99,7 +99,7 @@ class Reader {
         const auto step = parseDouble(text);
         if (!step || *step != std::floor(*step) || *step < 0 || *step > static_cast<double>(stepsBefore()))
             throw InputError(attempt_.file, line_,
-                             "goes back to a step that was not made; expected '# event redo' and a whole number from 0 "
+                             "goes back to a step that is not there; expected '# event redo' and a whole number from 0 "
                              "to " +
                                  std::to_string(stepsBefore()));
         const auto steps = static_cast<size_t>(*step);
@@ -129,7 +129,7 @@ class Reader {
     double ratio(std::string_view text) const {
         const auto value = parseDouble(text);
         if (!value || !(*value >= 0) || *value > 1e6)
-            throw InputError(attempt_.file, line_, "is no ratio; expected '# real_time' and a number from 0 on");
+            throw InputError(attempt_.file, line_, "is not a ratio; expected '# real_time' and a number from 0");
         return *value;
     }
 

@@ -28,11 +28,11 @@ struct PathKey {
 };
 
 constexpr std::array kPathKeys{
-    PathKey{"arc_length", &PathChange::farther, kMm, -50, 50, "mm that it is to be longer, from -50 to 50"},
-    PathKey{"stick_out", &PathChange::farther, kMm, -50, 50, "mm that it is to be longer, from -50 to 50"},
-    PathKey{"work_angle", &PathChange::workAngle, kDegree, -80, 80, "degrees more, from -80 to 80"},
-    PathKey{"travel_angle", &PathChange::travelAngle, kDegree, -80, 80, "degrees more, from -80 to 80"},
-    PathKey{"stillness", &PathChange::stillness, 1, 0, 1, "a number from 0, as it was, to 1, without tremor"},
+    PathKey{"arc_length", &PathChange::farther, kMm, -50, 50, "a change in mm from -50 to 50"},
+    PathKey{"stick_out", &PathChange::farther, kMm, -50, 50, "a change in mm from -50 to 50"},
+    PathKey{"work_angle", &PathChange::workAngle, kDegree, -80, 80, "a change in degrees from -80 to 80"},
+    PathKey{"travel_angle", &PathChange::travelAngle, kDegree, -80, 80, "a change in degrees from -80 to 80"},
+    PathKey{"stillness", &PathChange::stillness, 1, 0, 1, "a number from 0 (tremor as recorded) to 1 (none)"},
 };
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kShortNames{
@@ -84,7 +84,7 @@ class Reader {
         for (const auto& [shortName, whole] : kShortNames)
             if (key == shortName) name = whole;
         for (const std::string& before : names_)
-            if (before == name) throw InputError(where_ + ": " + name + " is given twice; expected one value of it");
+            if (before == name) throw InputError(where_ + ": " + name + " appears twice; expected one value for it");
         names_.push_back(name);
         made_.asked.emplace_back(key, value);
         if (lesson_.model == LessonModel::Weld && takePath(name, value)) return;
@@ -126,9 +126,9 @@ class Reader {
     [[noreturn]] void fail(const std::string& key) {
         std::string hint;
         if (key == "current" && traitsOf(lesson_.process).feedsWire)
-            hint = "the current comes with the wire, see wire_feed; ";
-        if (key == "arc_length") hint = "the voltage sets the length of a wire's arc; ";
-        throw InputError(where_ + ": " + quote(key) + " is nothing that can be changed in this lesson; " + hint +
+            hint = "the wire feed sets the current, see wire_feed; ";
+        if (key == "arc_length") hint = "the voltage sets the arc length of a wire; ";
+        throw InputError(where_ + ": " + quote(key) + " cannot be changed in this lesson; " + hint +
                          "expected one of " + knownKeys(lesson_));
     }
 
@@ -148,12 +148,12 @@ PathChange PathChange::resolved(std::optional<double> mean) const {
     PathChange made = *this;
     if (!travelSpeed) return made;
     if (!mean || !(*mean > 0))
-        throw InputError("--what-if speed: the attempt has no travel speed to begin from, as no arc went along the "
-                         "seam; expected a factor, such as speed=0.8");
+        throw InputError("--what-if speed: the attempt has no travel speed, because no arc went along the seam; "
+                         "expected a factor, such as speed=0.8");
     made.speed = *travelSpeed / *mean;
     if (made.speed < kLeastSpeed || made.speed > kMostSpeed)
         throw InputError("--what-if speed: the attempt went at " + formatNumber(static_cast<float>(*mean / kMm)) +
-                         " mm/s; expected a speed that is 0.1 to 10 times that");
+                         " mm/s; expected 0.1 to 10 times this speed");
     made.travelSpeed.reset();
     return made;
 }

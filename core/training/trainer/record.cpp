@@ -42,7 +42,7 @@ Record::Record(const std::filesystem::path& file, const AttemptHead& head, bool 
     : file_(file), arc_(head.arc), rod_(head.rod), paced_(paced) {
     std::error_code failure;
     if (!replace && std::filesystem::is_regular_file(file, failure))
-        throw InputError(file, 0, "is there already; expected a name that no file has, as a record replaces nothing");
+        throw InputError(file, 0, "already exists; expected a new name, because a record replaces no file");
     stream_.open(file, std::ios::binary | std::ios::trunc);
     if (!stream_) throw InputError(file, 0, "cannot be written; expected a folder with write permission");
     std::string text;
@@ -61,7 +61,7 @@ Record::Record(const std::filesystem::path& file, const AttemptHead& head, bool 
 void Record::write(std::string_view text) {
     stream_.write(text.data(), static_cast<std::streamsize>(text.size()));
     stream_.flush();
-    if (!stream_) throw RuntimeFault(file_.string() + ": the record cannot be written on; " + writeExpectation(errno));
+    if (!stream_) throw RuntimeFault(file_.string() + ": the record cannot be continued; " + writeExpectation(errno));
 }
 
 void RealTimeCount::add(double ratio) {

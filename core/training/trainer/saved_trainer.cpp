@@ -125,17 +125,17 @@ Checkpoint Trainer::save(size_t historyFrom) const {
 void Trainer::requireFit(const Checkpoint& checkpoint) const {
     requireWhole(checkpoint);
     if (checkpoint.identity != identity_)
-        throw InputError("the checkpoint is of another lesson or workpiece; expected one of " + lesson_.key +
-                         " as it was begun");
+        throw InputError("the checkpoint belongs to another lesson or workpiece; expected one of " + lesson_.key +
+                         " with its start values");
     if (checkpoint.historyFrom > checkpoint.historyTo ||
         checkpoint.history.size() != (checkpoint.historyTo - checkpoint.historyFrom) * kTechniqueStepBytes)
         throw InputError("the checkpoint of step " + std::to_string(checkpoint.step) +
-                         " has another number of steps of the hand than it says; expected one that was saved whole");
+                         " holds fewer or more torch steps than it says; expected a complete checkpoint");
     if (!technique_ || checkpoint.historyFrom == 0) return;
     const auto& steps = technique_->steps();
     if (steps.size() < checkpoint.historyFrom || steps[checkpoint.historyFrom - 1].time != checkpoint.historyTime)
-        throw InputError("the checkpoint goes on after step " + std::to_string(checkpoint.historyFrom) +
-                         " of the hand, which is not known here; expected the attempt that it was saved in");
+        throw InputError("the checkpoint continues after torch step " + std::to_string(checkpoint.historyFrom) +
+                         ", which is missing here; expected the attempt that saved it");
 }
 
 void Trainer::restore(const Checkpoint& checkpoint) {

@@ -164,7 +164,7 @@ TEST_CASE("too little OpenGL is refused in one sentence, a telemetry file that c
     CHECK_THAT(old, containsText("LIBGL_ALWAYS_SOFTWARE=1"));
     CHECK(splitText(trimText(old), '\n').size() == 1);
     CHECK_THAT(refuse({}, {{"MESA_GL_VERSION_OVERRIDE", "3.1"}, {"LIBGL_ALWAYS_SOFTWARE", "1"}}),
-               !containsText("with LIBGL_ALWAYS_SOFTWARE=1"));
+               !containsText("set LIBGL_ALWAYS_SOFTWARE=1"));
     const std::string blocked = refuse({"--telemetry", (folder / "none" / "t.jsonl").string()}, {});
     CHECK_THAT(blocked, containsText("t.jsonl"));
     const std::string unknown = refuse({"--lesson", "knitting"}, {});

@@ -114,7 +114,7 @@ TEST_CASE("a full disk under the telemetry is told in the window, which goes on,
     CHECK(whole.process.wait(kPatience) == 0);
 
     BlindWindow full("telemetry-full", "/dev/full");
-    const std::string kSentence = "/dev/full: the telemetry cannot be written on; expected free space";
+    const std::string kSentence = "/dev/full: the telemetry cannot be continued; expected free space";
     // A busy machine takes seconds to its first row.
     waitUntil("the sentence", [&] {
         return fs::exists(full.folder / "output.txt") &&

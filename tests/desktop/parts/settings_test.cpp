@@ -154,7 +154,7 @@ TEST_CASE("a file that is no TOML is set aside whole and the defaults stand") {
     const auto faults = loadSettings(file, values.sections());
     REQUIRE(faults.size() == 2);
     CHECK_THAT(faults[0], test::containsText(file.string() + ":2: "));
-    CHECK_THAT(faults[0], test::containsText("the settings file is not used, the defaults are"));
+    CHECK_THAT(faults[0], test::containsText("the program uses its defaults instead"));
     CHECK_THAT(faults[1], test::containsText("settings.broken-2.toml"));
     CHECK_FALSE(fs::exists(file));
     CHECK(readTextFile(file.parent_path() / "settings.broken-2.toml") == "[first]\nspeed = = 3\n");

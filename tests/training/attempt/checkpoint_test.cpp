@@ -228,7 +228,7 @@ TEST_CASE("a checkpoint without the hand's first steps is for the attempt that h
     CHECK(test::endOf(trainer) == end);
 
     Trainer fresh(test::shaders(), test::checkpointLesson("gmaw"));
-    CHECK_THROWS_WITH(fresh.restore(rest), test::containsText("expected the attempt that it was saved in"));
+    CHECK_THROWS_WITH(fresh.restore(rest), test::containsText("expected the attempt that saved it"));
     CHECK(fresh.steps() == 0);
     fresh.restore(whole);
     fresh.restore(rest);

@@ -196,7 +196,7 @@ TEST_CASE("what no attempt has is refused with frame and second, though its hash
     CHECK_THAT(refusal(begun().step(step)), containsText("expected a later one"));
     CHECK_THAT(refusal(begun().step(test::recordedStep(4))), containsText("it is step 4; expected step 3"));
     CHECK_THAT(refusal(begun().add(FrameKind::step, "short")), containsText("expected 160 bytes"));
-    CHECK_THAT(refusal(begun().note(FrameKind::event, 7, "zoom", "2")), containsText("behind 7 steps; expected 2"));
+    CHECK_THAT(refusal(begun().note(FrameKind::event, 7, "zoom", "2")), containsText("follows 7 steps; expected 2"));
     CHECK_THAT(refusal(begun().head(test::recordedHead("classic"))), containsText("expected it first, and once"));
     CHECK_THAT(refusal(RecordingBytes().step(test::recordedStep(1))), containsText("expected it first, and once"));
     CHECK_THAT(refusal(RecordingBytes().add(FrameKind::head, "format 2\nlesson x\n")), containsText("another format"));

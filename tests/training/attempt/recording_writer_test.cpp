@@ -178,7 +178,7 @@ TEST_CASE("a disk that fills at any moment is told, and what was written is whol
         const int code = endWithin(limit, [&] {
             RecordingWriter writer(file, test::recordedHead("classic"));
             writeAttempt(writer, kSteps);
-            return writer.fault().find("cannot be written on") == std::string::npos ? 43 : 42;
+            return writer.fault().find("cannot be continued") == std::string::npos ? 43 : 42;
         });
         CHECK(code == 42);
         const Recording recording = readRecording(file);

@@ -187,7 +187,7 @@ TEST_CASE("a broken acceptance file is told with its line, its key and what is e
         {head + "imperfection = \"toe_angle\"\napplies_to = \"fillet\"\nlimit = \"at_least\"\nconst_mm = 90\n", 4,
          "const_deg", "the limit"},
         {head + undercut + "limit = \"at_least\"\nconst_mm = 1\n[item.short]\nconst_mm = 1\nshare = 0.1\n", 9, "short",
-         "none beside at_least"},
+         "does not fit at_least"},
         {head + undercut + "limit = \"not_permitted\"\ncolour = \"red\"\n", 8, "colour", "known here"},
         {"\nsize = \n", 2, "", ""}};
     const std::filesystem::path file = test::scratchFolder("acceptance") / "school.toml";

@@ -57,8 +57,8 @@ TEST_CASE("a name means the shipped lesson first, then the school's; the other f
     REQUIRE(named.size() == 2);
     CHECK(named[0].fault.empty());
     CHECK(named[1].fault == (base / "own" / "b.toml").string() +
-                                ": has the name of a lesson of the school, which 'b' means; expected a file name that "
-                                "no other lesson has, such as my-b.toml");
+                                ": has the name of a lesson of the school, so 'b' means that one; expected a file name "
+                                "of its own, such as my-b.toml");
     CHECK_THAT(folders.named("a")[2].fault, containsText("has the name of a shipped lesson"));
 }
 
@@ -86,7 +86,7 @@ TEST_CASE("a school's folder that is missing is told; a person's need not exist"
     REQUIRE(faults.size() == 1);
     CHECK_THAT(faults[0],
                containsText("school") &&
-                   containsText("cannot be read; expected a folder with lessons, as MELTPOOL_LESSONS names"));
+                   containsText("cannot be read; expected a folder with lessons (MELTPOOL_LESSONS names it)"));
     CHECK_THROWS_WITH(findLesson("b", folders), containsText("expected one of a,") && containsText("MELTPOOL_LESSONS"));
     writeTextFileAtomically(base / "own", "no folder");
     faults.clear();

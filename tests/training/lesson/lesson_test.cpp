@@ -238,13 +238,13 @@ TEST_CASE("a bad lesson is refused in one sentence with file, line and expectati
         {"model = 'weld'\n[choose]\ncurrent = { from = 100, to = 501 }\n", "bad.toml:3: ", "to 500"},
         {"model = 'weld'\n[choose]\ncurrent = { from = 100, to = 150, by = 5 }\n", "bad.toml:3: ", "unknown key"},
         {"model = 'weld'\n[process]\ncurrent = 90\n[choose]\ncurrent = { from = 100, to = 150 }\n",
-         "bad.toml:5: ", "expected limits about the lesson's own value, 90"},
+         "bad.toml:5: ", "expected limits around the lesson's own value, 90"},
         {"model = 'weld'\n[process]\nprocess = 'smaw'\n[choose]\nelectrode = { from = 0, to = 1 }\n",
-         "bad.toml:5: ", "expected a setting that is one"},
+         "bad.toml:5: ", "expected a numeric setting"},
         {"[choose]\ncurrent = { from = 1, to = 2 }\n", "bad.toml:1: ", "unknown key"}, // classic lesson
         {"[technique]\nlength_from_mm = 0\n", "bad.toml:1: ", "unknown key"},          // the classic model has no seam
         {"title = 'x'\n[[picture]]\nname = '../evil'\n", "bad.toml:3: ", "expected letters"},
-        {"title = 'x'\n[[picture]]\nname = 'a'\n[[picture]]\nname = 'a'\n", "bad.toml:5: ", "stands twice"},
+        {"title = 'x'\n[[picture]]\nname = 'a'\n[[picture]]\nname = 'a'\n", "bad.toml:5: ", "appears twice"},
     };
     for (const Case& bad : cases) {
         INFO(bad.text);
