@@ -150,7 +150,7 @@ void runBench(const std::string& suite, const ResultPlace& place) {
     std::printf("%s, %s; %s, %u threads%s; meltpool %s\n", context.info().renderer.c_str(),
                 context.info().version.c_str(), processorName().c_str(), std::thread::hardware_concurrency(),
                 gl::driverIsSingleThreaded() ? ", of which the driver has one" : "", programBuild().c_str());
-    std::printf("%-10s %-40s %9s %11s %9s %10s\n", "suite", "what / pass", "particles", "ms (least)", "B/part.", "MiB");
+    std::printf("%-10s %-40s %9s %11s %9s %10s\n", "suite", "row / pass", "particles", "ms (least)", "B/part.", "MiB");
     for (const BenchPart& part : chosen) {
         Bench bench(shaders, std::string(part.suite));
         const std::exception_ptr fault = faultOf(part, bench);

@@ -19,7 +19,7 @@ std::span<const BenchPart> benchParts() {
                   benchWeldMetal},
         BenchPart{"weld", "surface around a moving pool in a plate of 100x50x6 mm and in one of four times the area",
                   benchWeldSurface},
-        BenchPart{"weld", "200 empty indirect dispatches with barrier: what passes without work cost",
+        BenchPart{"weld", "200 empty indirect dispatches with barrier: cost of passes without work",
                   benchEmptyDispatches},
         BenchPart{"lesson", "the lesson gmaw-bead with surface and thirty pictures of 1280x720 a simulated second",
                   benchLesson},

@@ -78,7 +78,7 @@ void addDesktop(CLI::App& app, Arguments& arguments) {
     app.add_option("--replay", arguments.desktop.replay,
                    "The window opens on this kept attempt and plays it; a torch path needs --lesson too")
         ->type_name("FILE");
-    app.add_option("--ghost", arguments.desktop.ghost, "Show the torch of this attempt or torch path beside one's own")
+    app.add_option("--ghost", arguments.desktop.ghost, "Show the torch of this attempt or torch path beside yours")
         ->type_name("FILE");
     app.add_flag("--no-recording", arguments.unrecorded, "Keep no recordings of attempts");
     CLI::Option* wanted = app.add_flag("--headset", arguments.headset,
@@ -86,7 +86,7 @@ void addDesktop(CLI::App& app, Arguments& arguments) {
     app.add_flag("--desktop", arguments.desktopOnly, "Do not search for a headset")->excludes(wanted);
 #ifdef __linux__
     app.add_flag(kErrorWindow, arguments.errorWindow,
-                 "Show in a window too why the trainer ended; the menu entry starts it so");
+                 "Show the reason for an early end in a window too, as the menu entry does");
 #endif
     app.add_flag("--watch-shaders", arguments.desktop.watchShaders, "Reload changed shaders while the window is open");
 }
@@ -105,7 +105,7 @@ void addRun(CLI::App& app, Arguments& arguments) {
     run->add_option("--seconds", r.seconds, "Simulated time, s")->type_name("S");
     run->add_option("--pictures", r.picturesEvery, "Time between pictures, s; 0: one at the end")->type_name("EVERY_S");
     run->add_option("--size", r.size, "Size of the pictures, pixels")->type_name("WxH");
-    run->add_option("--sound", r.sound, "Write what is heard of the weld here, as a WAV file")->type_name("FILE");
+    run->add_option("--sound", r.sound, "Write the sound of the weld into this WAV file")->type_name("FILE");
     run->add_option("--mesh", r.mesh, "Write the surface of the metal at the end here: .glb, .gltf or .ply")
         ->type_name("FILE");
     run->add_flag(
@@ -128,7 +128,7 @@ void addRecordings(CLI::App& app, RecordingsRequest& r) {
         "--csv", r.table, "Write one table of all attempts with their results; FILE OUT: the steps of one recording");
     table->type_name("[FILE] OUT")->expected(1, 2);
     recordings->add_flag("--json", r.json, "Print the list as JSON")->excludes(table);
-    recordings->add_option("--check", r.checked, "Tell whether a recording is whole, and else how much of it")
+    recordings->add_option("--check", r.checked, "Tell how much of a recording is whole")
         ->type_name("FILE")
         ->excludes(table);
 }
@@ -144,20 +144,21 @@ void addResultPlace(CLI::App& command, ResultPlace& place) {
 
 void addOthers(CLI::App& app, Arguments& arguments) {
     CLI::App* bench = app.add_subcommand("bench", "Measure the speed of this machine");
-    std::string suites = "Suite; all where none is named";
+    std::string suites = "Suite; by default all";
     for (const BenchPart& part : benchParts())
         suites += "\n" + std::string(part.suite) + ": " + std::string(part.note);
     bench->add_option("SUITE", arguments.suite, suites);
     addResultPlace(*bench, arguments.benchResults);
-    CLI::App* validate = app.add_subcommand("validate", "Hold the metal against exact solutions and experiments");
+    CLI::App* validate = app.add_subcommand("validate", "Compare the metal with exact solutions and experiments");
     validate->add_option("CASE", arguments.validation.cases,
-                         "Case files (.toml) or folders of them; all that ship where none is named");
+                         "Case files (.toml) or folders of them; by default all shipped ones");
     addResultPlace(*validate, arguments.validation.results);
     CLI::App* history = app.add_subcommand("history", "Draw results of bench and validate over time, as one HTML page");
     history->add_option("FOLDER", arguments.history.folder, "Folder that --results of bench and validate has filled")
         ->required();
     history->add_option("--out", arguments.history.page, "The page; by default history.html")->type_name("FILE");
-    CLI::App* check = app.add_subcommand("check", "Weld lessons and hold score, verdict and weld against expectations");
+    CLI::App* check =
+        app.add_subcommand("check", "Weld lessons and compare score, verdict and weld with expected values");
     check
         ->add_option("CHECK", arguments.check.checks,
                      "Files (.toml) with a table [expect], folders of them, or names of such lessons")
@@ -175,7 +176,7 @@ void addOthers(CLI::App& app, Arguments& arguments) {
                      "Lesson of the records, a TOML file, where the catalogue does not have it")
         ->type_name("LESSON");
     addRecordings(app, arguments.recordings);
-    app.add_subcommand("doctor", "Tell what this machine has and what is missing")
+    app.add_subcommand("doctor", "List the parts that this computer has, and missing ones with their cure")
         ->add_flag("--speed", arguments.speed, "Weld for ten seconds and advise a particle spacing");
     CLI::App* lessons = app.add_subcommand("lessons", "List the lessons, or the values of one");
     lessons->add_option("LESSON", arguments.listed, "List the parameters of this lesson that --set takes");

@@ -25,7 +25,7 @@ inline constexpr std::array<NamedText, 6> kVariables{{
     {"MELTPOOL_DATA", "Folder of the program's shaders and data, where they are not beside the program"},
     {"XDG_CONFIG_HOME", "Settings and best scores are in its folder meltpool; else in ~/.config/meltpool"},
     {"XDG_DATA_HOME", "Recordings, pages and own lessons are in its folder meltpool; else in ~/.local/share/meltpool"},
-    {"XDG_CACHE_HOME", "What can be made again is in its folder meltpool; else in ~/.cache/meltpool"},
+    {"XDG_CACHE_HOME", "Compiled shaders are in its folder meltpool; else in ~/.cache/meltpool"},
 }};
 
 /// Command lines for a start, each with its result.

@@ -70,7 +70,8 @@ void compareAttemptFiles(const CompareRequest& request) {
     }
     std::error_code failed;
     fs::create_directories(request.folder, failed);
-    if (failed) throw InputError(request.folder, 0, "cannot be made; expected a place where a folder may be made");
+    if (failed)
+        throw InputError(request.folder, 0, "cannot be created; expected a parent folder with write permission");
     const ComparedRun first{nameOf(request.first, request.second), readRunResults(sides[0].run)};
     const ComparedRun second{nameOf(request.second, request.first), readRunResults(sides[1].run)};
     tellComparison(first, second, request.folder, request.page);

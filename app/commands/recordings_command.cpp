@@ -64,7 +64,7 @@ bool writeTable(const std::filesystem::path& file, const std::filesystem::path& 
         throw InputError(table, 0, "is the recording itself; expected another name for the table");
     const Recording recording = readRecording(file);
     if (recording.steps.empty())
-        throw InputError(file, 0, "holds no whole step; expected an attempt in which something was done");
+        throw InputError(file, 0, "holds no whole step; expected an attempt with one step or more");
     writeTextFileAtomically(table, recordingCsv(recording));
     sayResult(
         phrase("run.recordings.table", {{"table", shown(table.string())}, {"state", shown(stateText(recording))}}),

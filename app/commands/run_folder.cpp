@@ -49,7 +49,7 @@ void makeFolder(const fs::path& folder) {
     std::error_code failure;
     fs::create_directories(folder, failure);
     if (failure || !fs::is_directory(folder, failure))
-        throw InputError(folder, 0, "cannot be made; expected a place where a folder may be made and written");
+        throw InputError(folder, 0, "cannot be created; expected a parent folder with write permission");
 }
 
 std::vector<fs::path> runFilesIn(const fs::path& folder) {

@@ -62,9 +62,10 @@ std::string patternIn(const fs::path& folder) {
 
 ParameterList describe(FilmRequest& f) {
     return {
-        {"rate", "Pictures a second", "1/s", &f.rate, 1, 240, "of the time-lapse; more make larger files"},
-        {"speed", "Speed", "", &f.speed, 0.01, 1000, "simulated seconds in each second of the time-lapse"},
-        {"turntable", "Turntable", "", &f.turntable, 2, 720, "pictures round the finished piece"},
+        {"rate", "Pictures a second", "1/s", &f.rate, 1, 240,
+         "Pictures of a second of the time-lapse. More make larger files."},
+        {"speed", "Speed", "", &f.speed, 0.01, 1000, "Simulated seconds in each second of the time-lapse."},
+        {"turntable", "Turntable", "", &f.turntable, 2, 720, "Pictures round the finished piece."},
     };
 }
 

@@ -49,8 +49,8 @@ void RecordingKeeper::open(Trainer& trainer, int attempt) {
     fs::create_directories(folder_, failure);
     if (failure)
         throw InputError(folder_, 0,
-                         "the folder of recordings cannot be made: " + failure.message() +
-                             "; expected a place where a folder may be made");
+                         "the folder of recordings cannot be created: " + failure.message() +
+                             "; expected a parent folder with write permission");
     freeSpace();
     AttemptHead head = trainer.attemptHead();
     head.lessonFile = fileOutsideCatalogue(trainer.lesson());

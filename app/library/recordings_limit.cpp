@@ -78,9 +78,9 @@ std::string stem(const File& file) {
 
 ParameterList describe(RecordingParameters& r) {
     return {{"keep_recordings", "Record every attempt", "", &r.keep, 0, 1,
-             "from the next attempt on; a recording replays the attempt and takes up to 60 MB a minute"},
+             "From the next attempt on. A recording replays the attempt. It takes up to 60 MB a minute."},
             {"recordings_limit_mb", "Recordings, at most", "MB", &r.limitMb, 50, 1'000'000,
-             "of the disk; beyond it the oldest recordings are removed, which is told"}};
+             "Space on the disk. Beyond it the oldest recordings are removed, with a message."}};
 }
 
 fs::path recordingName(const fs::path& folder, const std::string& date, const std::string& lesson, int attempt) {

@@ -105,7 +105,7 @@ void tooltip(Context& context, std::string_view text);
 
 /// Writes a number for people: at most four digits, no needless zeros.
 ShortText niceNumber(double value);
-/// Turns "what it costs" into "What it costs."
+/// Turns "costs time" into "Costs time."
 std::string sentence(std::string_view text);
 /// Turns "rest_density" into "Rest density".
 ShortText readableName(std::string_view key);

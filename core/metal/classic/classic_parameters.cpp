@@ -34,7 +34,7 @@ ParameterList describe(ClassicParameters& p) {
         {"acceleration_limit", "Acceleration limit", "", &p.accelerationLimit, 0, 100000,
          "Greatest acceleration; high values let strongly compressed liquid burst."},
         {"solidify_rate", "Solidify rate", "", &p.solidifyRate, 0, 1,
-         "Temperature lost per step; 0: what melted stays liquid."},
+         "Temperature lost per step. At 0, molten metal stays liquid."},
         {"heat_radius", "Heat radius", "", &p.heatRadius, 0.0001, 12,
          "Square of the distance that the source reaches."},
         {"heat_temperature", "Heat temperature", "", &p.heatTemperature, 0, 1,

@@ -25,13 +25,13 @@ Equipment Flame::equipment(const FlameSettings& settings) {
 
 ParameterList describe(FlameSettings& s) {
     return {
-        {"flame_power", "Flame", "W", &s.power, 0, 50000, "heat that reaches metal which catches the whole flame"},
+        {"flame_power", "Flame", "W", &s.power, 0, 50000, "Heat to metal that catches the whole flame."},
         {"sigma_mm", "Spread of the flame", "mm", &s.sigmaMm, 0.5, 20,
-         "below 1.5 particle spacings the spot is coarse"},
+         "Below 1.5 particle spacings the spot is coarse."},
         {"flame_length_mm", "Length of the flame", "mm", &s.lengthMm, 5, 200,
-         "from the tip; the second half of it heats less and less"},
+         "Length from the tip. Its second half heats less and less."},
         {"rod_diameter_mm", "Filler rod", "mm", &s.rodDiameterMm, 0, 5,
-         "in the other hand; dipped into the pool; 0: none is held"},
+         "Rod in the other hand. Dip it into the pool. 0 is no rod."},
     };
 }
 

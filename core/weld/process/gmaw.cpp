@@ -88,12 +88,13 @@ Equipment Gmaw::equipment(const GmawSettings& settings) {
 
 ParameterList describe(GmawSettings& s) {
     return {
-        {"voltage", "Voltage", "V", &s.voltage, 5, 60, "more makes the arc longer and the bead wider"},
-        {"wire_feed_m_min", "Wire feed", "m/min", &s.wireFeedMPerMin, 0, 30, "more wire takes more current"},
-        {"wire_diameter_mm", "Wire diameter", "mm", &s.wireDiameterMm, 0.5, 2.4, "thicker wire takes more current"},
-        {"inductance", "Inductance", "", &s.inductance, 0, 2, "more makes fewer and softer shorts", kInductances},
+        {"voltage", "Voltage", "V", &s.voltage, 5, 60, "A higher voltage makes the arc longer and the bead wider."},
+        {"wire_feed_m_min", "Wire feed", "m/min", &s.wireFeedMPerMin, 0, 30, "More wire takes more current."},
+        {"wire_diameter_mm", "Wire diameter", "mm", &s.wireDiameterMm, 0.5, 2.4, "Thicker wire takes more current."},
+        {"inductance", "Inductance", "", &s.inductance, 0, 2, "A higher value makes fewer and softer shorts.",
+         kInductances},
         {"stick_out_mm", "Stick-out", "mm", &s.stickOutMm, 3, 40,
-         "of the wire whose end the torch's pose is: tip-to-work distance less the arc"},
+         "Length of the wire at the start: tip-to-work distance less the arc."},
     };
 }
 

@@ -66,10 +66,10 @@ Equipment Gtaw::equipment(const GtawSettings& settings) {
 
 ParameterList describe(GtawSettings& s) {
     return {
-        {"current", "Current", "A", &s.current, 5, 500, "the machine holds it; more melts deeper"},
+        {"current", "Current", "A", &s.current, 5, 500, "The machine holds it. More current melts deeper."},
         {"electrode_diameter_mm", "Electrode", "mm", &s.electrodeDiameterMm, 0.5, 6.4, "tungsten"},
         {"rod_diameter_mm", "Filler rod", "mm", &s.rodDiameterMm, 0, 5,
-         "in the other hand; dipped into the pool; 0: none is held"},
+         "Rod in the other hand. Dip it into the pool. 0 is no rod."},
     };
 }
 

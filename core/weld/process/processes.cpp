@@ -47,7 +47,7 @@ std::unique_ptr<Process> make(const ProcessSettings& settings, const ProcessMeta
 } // namespace
 
 ParameterList describe(ProcessSettings& settings) {
-    ParameterList list{{"process", "Process", "", &settings.kind, 0, AllProcesses::kCount - 1, "what the torch is",
+    ParameterList list{{"process", "Process", "", &settings.kind, 0, AllProcesses::kCount - 1, "Kind of the torch.",
                         AllProcesses::kNames, true}};
     for (Parameter& parameter : settingsOf(settings, AllProcesses{}))
         list.push_back(std::move(parameter));

@@ -82,11 +82,11 @@ std::span<const std::string_view> smawElectrodes() {
 
 ParameterList describe(SmawSettings& s) {
     return {
-        {"current", "Current", "A", &s.current, 20, 400, "the machine holds it; more melts deeper and faster"},
-        {"electrode", "Electrode", "", &s.electrode, 0, 2, "rutile, basic or cellulosic; a new one when it is burnt",
-         kNames},
-        {"electrode_diameter_mm", "Core diameter", "mm", &s.diameterMm, 1.6, 6, "thicker takes more current"},
-        {"electrode_length_mm", "Electrode length", "mm", &s.lengthMm, 100, 450, "of a new one, with its stub"},
+        {"current", "Current", "A", &s.current, 20, 400, "The machine holds it. More current melts deeper and faster."},
+        {"electrode", "Electrode", "", &s.electrode, 0, 2,
+         "Rutile, basic or cellulosic. You get a new one when it is used up.", kNames},
+        {"electrode_diameter_mm", "Core diameter", "mm", &s.diameterMm, 1.6, 6, "A thicker one takes more current."},
+        {"electrode_length_mm", "Electrode length", "mm", &s.lengthMm, 100, 450, "Length of a new one, with its stub."},
     };
 }
 

@@ -24,10 +24,10 @@ Equipment SolderingIron::equipment(const IronSettings& settings) {
 
 ParameterList describe(IronSettings& s) {
     return {
-        {"tip_temperature_c", "Iron", "°C", &s.tipTemperatureC, 20, 1500, "temperature of the tip"},
-        {"tip_radius_mm", "Iron's tip", "mm", &s.tipRadiusMm, 0.2, 20, "radius that touches the metal"},
+        {"tip_temperature_c", "Iron", "°C", &s.tipTemperatureC, 20, 1500, "Temperature of the tip."},
+        {"tip_radius_mm", "Iron's tip", "mm", &s.tipRadiusMm, 0.2, 20, "Radius of the contact with the metal."},
         {"rod_diameter_mm", "Wire solder", "mm", &s.rodDiameterMm, 0, 5,
-         "in the other hand; melts in the pool and at the tip; 0: none is held"},
+         "Solder in the other hand. It melts in the pool and at the tip. 0 is none."},
     };
 }
 

@@ -174,7 +174,7 @@ class Finder {
         for (size_t i = 0; i < table_.columns().size(); ++i) {
             const std::string& name = table_.columns()[i];
             if (name.empty()) fail("column " + std::to_string(i + 1) + " has no name; expected one");
-            if (!seen.insert(name).second) fail("the column " + quote(name) + " stands twice; expected each name once");
+            if (!seen.insert(name).second) fail("the column " + quote(name) + " occurs twice; expected each name once");
         }
     }
 

@@ -66,7 +66,7 @@ struct Refused {
 };
 
 const std::vector<Refused> kRefused{
-    {"refused-motion-capture-two-headers.csv", ".csv:4: ", "the column 'X' stands twice"},
+    {"refused-motion-capture-two-headers.csv", ".csv:4: ", "the column 'X' occurs twice"},
     {"refused-robot-angles.csv", ".csv:1: ", "the column 'qx' is missing (and qy, qz, qw)"},
     {"refused-robot-angles.csv", ".csv:1: ", "found 't;X;Y;Z;A;B;C;trigger'. Angles are no orientation here"},
     {"refused-utf-16-without-mark.csv", ".csv: ", "looks like UTF-16 without a mark"},

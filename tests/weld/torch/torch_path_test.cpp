@@ -250,7 +250,7 @@ TEST_CASE("a bad recording is refused in one sentence with file, line and expect
         {"", "bad.csv: ", "expected a header row"},
         {kHeader, "bad.csv: ", "expected at least one"},
         {"time_s,x_mm\n0,1\n", "bad.csv:1: ", "'y_mm' is missing"},
-        {"time_s,time_s,x_mm,y_mm,z_mm,qx,qy,qz,qw,trigger\n", "bad.csv:1: ", "stands twice"},
+        {"time_s,time_s,x_mm,y_mm,z_mm,qx,qy,qz,qw,trigger\n", "bad.csv:1: ", "occurs twice"},
         {kHeader + good + "1,2,3\n", "bad.csv:3: ", "expected 9"},
         {kHeader + good + "1,2,3,oops,0,0,0,1,0\n", "bad.csv:3: ", "z_mm is 'oops'"},
         {kHeader + good + "1,nan,3,4,0,0,0,1,0\n", "bad.csv:3: ", "x_mm is 'nan'"},
@@ -325,7 +325,7 @@ TEST_CASE("a torch path's line without end is refused, and what it quotes is sho
     CHECK_THAT(escape,
                test::containsText("path.csv:2: time_s is '\\x1b[31mxxx") && test::containsText("expected a time"));
     CHECK(escape.size() < 400);
-    CHECK_THAT(refusal(header + ",\xff,\xff\n"), test::containsText("path.csv:1: the column '\u00FF' stands twice"));
+    CHECK_THAT(refusal(header + ",\xff,\xff\n"), test::containsText("path.csv:1: the column '\u00FF' occurs twice"));
 }
 
 TEST_CASE("a torch path is the same with and without the columns that it does not need", "[weld]") {
