@@ -133,13 +133,13 @@ TEST_CASE("sentences for trainees and teachers are in the words file", "[house][
     }
     // Names of panels and fonts, reasons in records, and faults of the settings file: in English for every language.
     static const std::set<std::string> allowed{
-        R"(# Settings of the Meltpool desktop trainer; written when the window closes.\n)",
+        R"(# Settings of the Meltpool desktop trainer. The program saves them when the window closes.\n)",
         "/System/Library/Fonts/Apple Symbols.ttf",
         "/System/Library/Fonts/Supplemental/Arial Bold.ttf",
         ": unknown entry ",
         "; expected a table of ",
-        "; the settings file is not used, the defaults are",
-        "a value that was offered",
+        "; the program uses its defaults instead",
+        "an offered value",
         "another lesson was opened",
         "bar menu",
         "headset panel",
