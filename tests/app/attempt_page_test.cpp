@@ -72,6 +72,6 @@ TEST_CASE("the page of an attempt without a record goes into the user's folder",
     writeTextFileAtomically(page, "first");
     CHECK(attemptPageName({}, "gmaw-bead", "2026-11-23 08:30").filename() == "gmaw-bead 2026-11-23 08.30 (2).html");
     ::setenv("XDG_DATA_HOME", "/dev/null", 1);
-    CHECK_THROWS_WITH(attemptPageName({}, "gmaw-bead", "2026-11-23 08:30"), containsText("cannot be made"));
+    CHECK_THROWS_WITH(attemptPageName({}, "gmaw-bead", "2026-11-23 08:30"), containsText("cannot be created"));
     ::unsetenv("XDG_DATA_HOME");
 }
