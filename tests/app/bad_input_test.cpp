@@ -97,7 +97,8 @@ TEST_CASE("bad files are refused with their line", "[app]") {
 TEST_CASE("a folder that cannot be written is refused before anything is computed", "[app]") {
     const auto folder = test::scratchFolder("unwritable");
     writeTextFileAtomically(folder / "file", "not a folder");
-    checkRefusal({"run classic --out '" + (folder / "file" / "out").string() + "'", "file/out", "expected a parent folder"});
+    checkRefusal(
+        {"run classic --out '" + (folder / "file" / "out").string() + "'", "file/out", "expected a parent folder"});
     checkRefusal({"run classic --out '" + (folder / "file").string() + "'", "file", "expected a parent folder"});
     checkRefusal({"run classic --seconds 0.1 --set particles=64 --out /proc", "/proc", "expected"});
 }
