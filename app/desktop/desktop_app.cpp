@@ -109,7 +109,7 @@ bool DesktopApp::finish() {
         kept = false;
     }
     if (session_.log().records().lost())
-        std::fprintf(stderr, "meltpool: the record of an attempt stops before its end; expected %s\n",
+        std::fprintf(stderr, "meltpool: an attempt was not recorded to its end; expected %s\n",
                      "a place for --record that stays writable");
     const std::string& unrecorded = session_.log().recordings().lost();
     if (!unrecorded.empty()) std::fprintf(stderr, "meltpool: %s\n", printable(unrecorded, 3000).c_str());

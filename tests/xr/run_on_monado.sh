@@ -23,7 +23,7 @@ readonly packages=monado-service,libopenxr1-monado,libopenxr-loader1,openxr-laye
 readonly cache=${MELTPOOL_XR_CACHE:-${XDG_CACHE_HOME:-${HOME:-/tmp}/.cache}/meltpool}
 readonly tree=$cache/monado-$suite-$tree_version-$(uname -m)
 
-say() { printf 'bench.sh: %s\n' "$*" >&2; }
+say() { printf 'run_on_monado.sh: %s\n' "$*" >&2; }
 noRuntime() {
     say "$*"
     [ -n "${CI:-}" ] && exit 1
@@ -131,7 +131,7 @@ cleanUp() {
     rm -rf "$run"
 }
 
-[ $# -ge 1 ] || { say "usage: bench.sh [--display] PROGRAM [ARGUMENT...] | --prepare"; exit 2; }
+[ $# -ge 1 ] || { say "usage: run_on_monado.sh [--display] PROGRAM [ARGUMENT...] | --prepare"; exit 2; }
 run=$(mktemp -d "${TMPDIR:-/tmp}/meltpool-xr.XXXXXX")
 trap cleanUp EXIT
 trap 'exit 129' HUP
