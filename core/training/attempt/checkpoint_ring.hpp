@@ -22,21 +22,22 @@ struct CheckpointRingLimits {
     size_t bytes = size_t(192) << 20; ///< bytes of memory, including the buffers that make checkpoints
 };
 
-/// A checkpoint, delta-compressed against the attempt's first one (the first against nothing), without the hand's
-/// steps.
+/// A checkpoint stored as its differences from the attempt's first one. The first is stored whole. The hand's steps are
+/// left out.
 struct PackedCheckpoint {
     size_t step = 0;
     double time = 0; ///< metal time, s
-    std::span<const std::byte> bytes;
+    std::span<const std::byte> bytes; ///< valid during the call of the taker
 };
 using CheckpointTaker = std::function<void(const PackedCheckpoint&)>;
 
-/// A frame that starts a checkpoint copies the state on the GPU, some forty commands, and allocates nothing; a worker
-/// thread assembles and packs the bytes when they have arrived. At the memory limit the checkpoints closest together
-/// for their age are dropped: the last seconds stay dense, and a long attempt can go back to its start. Checkpoints of
-/// one attempt may come in any order: equal times have equal states, until branch().
+/// Holds the checkpoints of an attempt. To start one adds some forty commands to a frame, which copy the state on the
+/// GPU, and allocates nothing. When the bytes have arrived, a worker thread packs them. At the memory limit the ring
+/// drops the checkpoint whose gap between its neighbours is smallest for its age, never the first: the last seconds stay
+/// dense, and a long attempt can go back to its start. A replay may add checkpoints in any order of time, because
+/// one time has one state until branch().
 ///
-/// All functions belong to the thread that has the GPU's context.
+/// Call all functions on the thread that has the GPU's context.
 class CheckpointRing {
   public:
     explicit CheckpointRing(const CheckpointRingLimits& limits = {});
@@ -44,35 +45,38 @@ class CheckpointRing {
     CheckpointRing(const CheckpointRing&) = delete;
     CheckpointRing& operator=(const CheckpointRing&) = delete;
 
-    /// Starts another attempt and drops all checkpoints. `taker` receives each checkpoint, on the thread that packs,
-    /// before any waiting call such as before() returns. `keeps`: false if no checkpoint is ever gone back to; then
-    /// checkpoints are made for the taker alone.
+    /// Starts another attempt, drops all checkpoints and the fault. Waits while the worker packs. The worker calls
+    /// `taker` with each checkpoint; clear(), before(), branch() and bytes() return only after that call. `keeps`: false
+    /// stores nothing and makes checkpoints for the taker alone.
     void clear(CheckpointTaker taker = {}, bool keeps = true);
 
-    /// True if a checkpoint is due at this metal time (s): hand capture() and historyTo() to Trainer::capture(), then
-    /// call begun(). `period`: s from one checkpoint to the next, instead of the limits' own. Never waits.
+    /// True if a checkpoint is due at this time of the metal (s). Then pass capture() and historyTo() to
+    /// Trainer::capture(), and call begun(). `period`: s from one checkpoint to the next, instead of the limits' own.
+    /// Never waits.
     bool due(double time) { return due(time, limits_.period); }
     bool due(double time, double period);
     CheckpointCapture& capture() { return capture_; }
-    /// Steps of the hand that are stored already.
+    /// Number of the hand's steps that are stored so far.
     size_t historyTo() const { return historyTo_; }
-    /// Call it when a checkpoint is on its way from the GPU. `historyTo`: steps of the hand known with it.
+    /// Call it when a checkpoint is on its way from the GPU. `historyTo`: number of the hand's steps up
+    /// to this checkpoint.
     void begun(double time, size_t historyTo);
     /// Passes an arrived checkpoint to the worker. Call it once a frame. Never waits.
     void update();
 
-    /// The newest checkpoint not after `time` (s), whole; empty if there is none. Waits for a packing in progress, some
-    /// ten milliseconds.
+    /// The newest checkpoint not after `time` (s), whole; empty if there is none. Waits while the worker packs, some ten
+    /// milliseconds, and not for a checkpoint that is on its way from the GPU.
     std::optional<Checkpoint> before(double time);
-    /// Call it when the attempt went back to this step: later checkpoints belong to the abandoned branch.
+    /// Drops the checkpoints after `step`, one on its way from the GPU, and the hand's later steps. Call it when the
+    /// attempt went back to this step. Waits while the worker packs.
     void branch(size_t step);
 
     size_t count();
-    /// Memory of everything, CPU and GPU; at most a little more than the limit.
+    /// Bytes in use, CPU and GPU. The newest checkpoints stay even above the limit. Waits while the worker packs.
     size_t bytes();
     const CheckpointRingLimits& limits() const { return limits_; }
     /// Reason why a checkpoint could not be stored, as a sentence; empty without a fault. After a fault no more
-    /// checkpoints are taken.
+    /// checkpoints are made until clear().
     std::string fault();
 
   private:
@@ -102,7 +106,8 @@ class CheckpointRing {
     bool keeps_ = true;
     CheckpointTaker taker_; ///< called only while a checkpoint is packed, changed only while none is
 
-    std::mutex mutex_; ///< guards all below; packing runs without it and changes only fresh_, reference_ and history_
+    /// Guards all below. While `stage_` is packing, the worker alone uses fresh_, reference_ and history_, without it.
+    std::mutex mutex_;
     std::condition_variable changed_;
     Stage stage_ = Stage::idle;
     bool stops_ = false;

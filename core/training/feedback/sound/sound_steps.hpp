@@ -11,11 +11,11 @@
 
 namespace meltpool {
 
-/// A queue of steps from the thread that makes them to the thread that plays them. Neither ever waits, and it allocates
-/// nothing. One thread pushes and one pops.
+/// A queue of steps from the thread that makes them to the thread that plays them. Neither thread waits, and
+/// nothing is allocated. One thread pushes and one pops.
 class SoundFeed {
   public:
-    static constexpr size_t kRoom = 64; ///< steps: 0.7 s of the longest ones
+    static constexpr size_t kRoom = 64; ///< steps: 0.7 s of sound at the longest step
 
     /// Returns false and drops the step when the queue is full.
     bool push(const SoundStep& step);
@@ -30,12 +30,14 @@ class SoundFeed {
     std::atomic<size_t> popped_{0};
 };
 
+/// The queue and the captions of a lesson, for the thread that makes the steps.
 class SoundSteps {
   public:
+    /// Passes a step of the metal to the caption and the queue. A full queue drops it: the sound misses a moment.
     void hear(const SoundStep& step);
-    /// Starts another lesson or attempt.
+    /// Clears the caption for another lesson or attempt.
     void reset() { captions_.reset(); }
-    /// Chips off the slag with the next step: `strokes` of the hammer.
+    /// Adds the sound of `strokes` of the chipping hammer to the next step.
     void chip(int strokes) { chips_ += strokes; }
 
     std::string_view caption() const { return captions_.text(); }
