@@ -26,15 +26,15 @@ struct CheckpointRingLimits {
 /// left out.
 struct PackedCheckpoint {
     size_t step = 0;
-    double time = 0; ///< metal time, s
+    double time = 0;                  ///< metal time, s
     std::span<const std::byte> bytes; ///< valid during the call of the taker
 };
 using CheckpointTaker = std::function<void(const PackedCheckpoint&)>;
 
 /// Holds the checkpoints of an attempt. To start one adds some forty commands to a frame, which copy the state on the
 /// GPU, and allocates nothing. When the bytes have arrived, a worker thread packs them. At the memory limit the ring
-/// drops the checkpoint whose gap between its neighbours is smallest for its age, never the first: the last seconds stay
-/// dense, and a long attempt can go back to its start. A replay may add checkpoints in any order of time, because
+/// drops the checkpoint whose gap between its neighbours is smallest for its age, never the first: the last seconds
+/// stay dense, and a long attempt can go back to its start. A replay may add checkpoints in any order of time, because
 /// one time has one state until branch().
 ///
 /// Call all functions on the thread that has the GPU's context.
@@ -46,8 +46,8 @@ class CheckpointRing {
     CheckpointRing& operator=(const CheckpointRing&) = delete;
 
     /// Starts another attempt, drops all checkpoints and the fault. Waits while the worker packs. The worker calls
-    /// `taker` with each checkpoint; clear(), before(), branch() and bytes() return only after that call. `keeps`: false
-    /// stores nothing and makes checkpoints for the taker alone.
+    /// `taker` with each checkpoint; clear(), before(), branch() and bytes() return only after that call. `keeps`:
+    /// false stores nothing and makes checkpoints for the taker alone.
     void clear(CheckpointTaker taker = {}, bool keeps = true);
 
     /// True if a checkpoint is due at this time of the metal (s). Then pass capture() and historyTo() to
@@ -64,8 +64,8 @@ class CheckpointRing {
     /// Passes an arrived checkpoint to the worker. Call it once a frame. Never waits.
     void update();
 
-    /// The newest checkpoint not after `time` (s), whole; empty if there is none. Waits while the worker packs, some ten
-    /// milliseconds, and not for a checkpoint that is on its way from the GPU.
+    /// The newest checkpoint not after `time` (s), whole; empty if there is none. Waits while the worker packs, some
+    /// ten milliseconds, and not for a checkpoint that is on its way from the GPU.
     std::optional<Checkpoint> before(double time);
     /// Drops the checkpoints after `step`, one on its way from the GPU, and the hand's later steps. Call it when the
     /// attempt went back to this step. Waits while the worker packs.
