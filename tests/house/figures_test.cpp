@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-constexpr size_t kFewestFigures = 25; ///< with fewer, the comments no longer match kFigure
+constexpr size_t kFewestFigures = 110; ///< with fewer, the comments no longer match kFigure
 
 std::string textOf(const Json& value) {
     return value.is_string() ? value.get<std::string>() : value.dump();
