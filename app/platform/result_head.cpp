@@ -30,6 +30,7 @@ double loadAverage() {
     std::ifstream("/proc/loadavg") >> load;
     return load;
 }
+
 /// Letters and digits in lower case and points; one "-" for anything between them.
 std::string slug(std::string_view words) {
     std::string name;

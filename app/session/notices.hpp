@@ -38,8 +38,11 @@ class SlowNotice {
     std::string_view update(double speed, bool burns, double elapsed);
     /// Sentence for the last words, with the consequence for the weld; empty once the attempt has shown it.
     std::string_view sentence() const { return sentence_; }
-    /// Starts another attempt, in which the sentence may be shown again.
-    void reset() { *this = {}; }
+    /// Starts another attempt, in which the sentence may be shown again. Keeps the texts' memory.
+    void reset() {
+        slowFor_ = sentenceFor_ = 0;
+        told_ = burned_ = false;
+    }
 
   private:
     std::string text_, sentence_;
