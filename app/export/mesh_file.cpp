@@ -4,23 +4,15 @@
 #include "app/export/ply.hpp"
 #include "app/platform/program_info.hpp"
 #include "core/base/error.hpp"
+#include "core/base/moment.hpp"
 #include "core/base/output_file.hpp"
 #include "core/base/text.hpp"
 #include "core/render/surface_colours.hpp"
 #include "core/training/trainer/body_mesh.hpp"
 
-#include <ctime>
-
 namespace meltpool {
 
 namespace {
-
-std::string today() {
-    const std::time_t now = std::time(nullptr);
-    char text[32];
-    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", std::gmtime(&now));
-    return text;
-}
 
 std::vector<glm::vec2> heatsOf(const MeshCopy& mesh) {
     std::vector<glm::vec2> heats;
@@ -61,7 +53,7 @@ void writeMesh(gl::ShaderLibrary& shaders, LessonScene& scene, const std::filesy
         throw RuntimeFault(printable(file.string(), 200) + ": no metal is left whose surface could be written");
     const std::vector<glm::vec2> heats = heatsOf(coloured.mesh);
     coloured.colours = surfaceColours(shaders, scene.view(), trainer.lesson().look, heats);
-    coloured.notes = {printable(trainer.lesson().key, 200), today(), programBuild()};
+    coloured.notes = {printable(trainer.lesson().key, 200), utcSecond(momentNow()), programBuild()};
     writeFile(file, bytesOf(coloured, format));
 }
 

@@ -2,6 +2,7 @@
 
 #include "app/platform/program_info.hpp"
 #include "core/base/error.hpp"
+#include "core/base/moment.hpp"
 #include "core/base/text.hpp"
 #include "core/gl/software_driver/software_driver.hpp"
 
@@ -9,20 +10,12 @@
 
 #include <cctype>
 #include <cstdlib>
-#include <ctime>
 #include <fstream>
 #include <thread>
 
 namespace meltpool {
 
 namespace {
-
-std::string today() {
-    const std::time_t now = std::time(nullptr);
-    char text[32];
-    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", std::gmtime(&now));
-    return text;
-}
 
 /// Programs that wanted a processor at a time over the last minute, this one among them; -1 if the system has no count.
 double loadAverage() {
@@ -76,7 +69,7 @@ nlohmann::ordered_json resultHead(const gl::ContextInfo& driver) {
     if (const double load = loadAverage(); load >= 0) json["load_average"] = load;
     json["version"] = programVersion();
     json["commit"] = programCommit();
-    json["date"] = today();
+    json["date"] = utcSecond(momentNow());
     return json;
 }
 

@@ -47,6 +47,10 @@ std::string utcText(Moment moment) {
     return text.data();
 }
 
+std::string utcSecond(Moment moment) {
+    return utcText(moment).substr(0, std::string_view("2026-11-23T07:10:43").size()) + "Z";
+}
+
 std::optional<Moment> parseMoment(std::string_view text) {
     constexpr std::string_view kForm = "0000-00-00T00:00:00";
     if (text.size() <= kForm.size()) return std::nullopt;

@@ -17,6 +17,7 @@ TEST_CASE("a moment is the same whatever zone and season its date is of", "[base
     // Half past two occurs twice in the night when summer time ends.
     CHECK(*parseMoment("2026-10-25T02:30:00+0200") < *parseMoment("2026-10-25T02:10:00+0100"));
     CHECK(utcText(*moment + std::chrono::milliseconds(7)) == "2026-11-23T07:10:43.007Z");
+    CHECK(utcSecond(*moment + std::chrono::milliseconds(7)) == "2026-11-23T07:10:43Z");
     CHECK(parseMoment(utcText(*moment)) == moment);
     const Moment now = momentNow();
     CHECK(parseMoment(utcText(now)) == now);
