@@ -17,7 +17,7 @@ Moment momentNow();
 /// The text of a time: "2026-11-23T07:10:43.125Z".
 std::string utcText(Moment moment);
 
-/// The same time in whole seconds: "2026-11-23T07:10:43Z".
+/// A time as text in whole seconds: "2026-11-23T07:10:43Z".
 std::string utcSecond(Moment moment);
 
 /// The time of a date with a UTC offset, such as "2026-11-23T08:10:43+0100" or the result of utcText(); nothing for any
