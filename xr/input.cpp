@@ -228,7 +228,7 @@ void Input::readHand(size_t index, XrTime time) {
     hand.trigger = readFloat(actions_.trigger, path);
     hand.squeeze = readFloat(actions_.squeeze, path);
     hand.menu = wentDown(actions_.menu, path);
-    hand.recentre = wentDown(actions_.recentre, path);
+    hand.recentre = isDown(actions_.recentre, path);
     XrActionStateVector2f scroll{XR_TYPE_ACTION_STATE_VECTOR2F};
     const XrActionStateGetInfo get = ask(actions_.scroll, path);
     MELTPOOL_XR(xrGetActionStateVector2f(session_.handle(), &get, &scroll));
@@ -248,6 +248,13 @@ bool Input::wentDown(XrAction action, XrPath hand) const {
     const XrActionStateGetInfo get = ask(action, hand);
     MELTPOOL_XR(xrGetActionStateBoolean(session_.handle(), &get, &state));
     return state.isActive == XR_TRUE && state.changedSinceLastSync == XR_TRUE && state.currentState == XR_TRUE;
+}
+
+bool Input::isDown(XrAction action, XrPath hand) const {
+    XrActionStateBoolean state{XR_TYPE_ACTION_STATE_BOOLEAN};
+    const XrActionStateGetInfo get = ask(action, hand);
+    MELTPOOL_XR(xrGetActionStateBoolean(session_.handle(), &get, &state));
+    return state.isActive == XR_TRUE && state.currentState == XR_TRUE;
 }
 
 std::string Input::profile(Hand which) const {

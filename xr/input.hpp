@@ -24,7 +24,7 @@ struct HandInput {
     float trigger = 0;     ///< 0..1
     float squeeze = 0;     ///< 0..1
     bool menu = false;     ///< pressed since the last frame
-    bool recentre = false; ///< pressed since the last frame
+    bool recentre = false; ///< held down now
     float scrollX = 0;     ///< -1..1
     float scrollY = 0;
 };
@@ -100,6 +100,7 @@ class Input {
     void forget();
     float readFloat(XrAction action, XrPath hand) const;
     bool wentDown(XrAction action, XrPath hand) const;
+    bool isDown(XrAction action, XrPath hand) const;
     void playOn(HapticOutput& output, const XrHapticActionInfo& target, const HapticPulse& pulse);
     bool playPcm(Wave& wave, const XrHapticActionInfo& target, const HapticPulse& pulse);
 

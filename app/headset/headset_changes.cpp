@@ -19,7 +19,7 @@ bool HeadsetChanges::lessonBegan(const LessonSession& session) {
 
 void HeadsetChanges::takeParameters(const HeadsetParameters& parameters, float zoom, HeadsetHands& hands,
                                     LessonSession& session) {
-    const Shown now{zoom, parameters.tableHeight, parameters.hand, parameters.posture};
+    const Shown now{zoom, parameters.tableHeight, parameters.hand, parameters.table};
     const bool fresh = !shown_;
     const Shown last = shown_.value_or(now);
     shown_ = now;
@@ -32,8 +32,8 @@ void HeadsetChanges::takeParameters(const HeadsetParameters& parameters, float z
          [&] { return formatNumber(static_cast<double>(now.tableHeight)); });
     note(now.hand != last.hand, "hand", ArcOut::handChanged,
          [&] { return now.hand == HeadsetParameters::kLeft ? "left" : "right"; });
-    note(now.posture != last.posture, "posture", ArcOut::tableMoved,
-         [&] { return now.posture == HeadsetParameters::kSeated ? "seated" : "standing"; });
+    note(now.table != last.table, "table", ArcOut::tableMoved,
+         [&] { return now.table == HeadsetParameters::kSetHeight ? "as_set" : "from_eyes"; });
 }
 
 void HeadsetChanges::recentred(HeadsetHands& hands, LessonSession& session) {

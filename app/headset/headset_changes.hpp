@@ -32,7 +32,7 @@ class HeadsetChanges {
         float zoom = 1;
         float tableHeight = 0;
         int hand = 0;
-        int posture = 0;
+        int table = 0;
     };
 
     std::optional<Shown> shown_; ///< empty: all values are new to the record

@@ -52,8 +52,9 @@ bool HeadsetFrontEnd::begin(LessonSession& session, const Home& home, double ela
     const bool weld = session.lesson().model == LessonModel::Weld;
     if (weld && changes_.lessonStarted()) parameters_.weldZoom = 1;
     section_.idle = idleParameters(weld);
+    if (parameters_.table == HeadsetParameters::kSetHeight) parameters_.tableHeight = parameters_.setHeight;
     place_ = WorkpiecePlace(parameters_.tableHeight, shownZoom(parameters_, weld), session.picture().bottom(),
-                            session.picture().fixture());
+                            beforeFace(session.picture().fixture()));
     connection_.use(settingsOf(parameters_)); // the settings file may have been read since the start
     const bool runs = connection_.update() == xr::ConnectionState::running;
     drawn_ = drawn_ && connection_.headset() != nullptr;
@@ -74,8 +75,7 @@ bool HeadsetFrontEnd::begin(LessonSession& session, const Home& home, double ela
 void HeadsetFrontEnd::readHands(LessonSession& session, const Home& home, double elapsed) {
     xr::Headset& headset = *connection_.headset();
     const xr::Input& input = headset.input();
-    if (input.hand(xr::Hand::left).recentre || input.hand(xr::Hand::right).recentre) workshop_.requestRecentre();
-    placeWorkshop(session);
+    placeWorkshop(session, elapsed);
     panel_.update(input, workshop_, headset.panel().shape(), hands_.torchHand());
     if (session.question().asked() || (home.open && !homeShown_)) panel_.show();
     homeShown_ = home.open;
@@ -119,13 +119,26 @@ void HeadsetFrontEnd::askAgain(const LessonSession& session, const xr::Input& in
     otherPulled_ = pulled;
 }
 
-void HeadsetFrontEnd::placeWorkshop(LessonSession& session) {
-    if (!workshop_.recentreRequested()) return;
+/// Places the workshop in front of the person where that is due, but never while the hand's arc burns.
+void HeadsetFrontEnd::placeWorkshop(LessonSession& session, double elapsed) {
     xr::Headset& headset = *connection_.headset();
+    const xr::Input& input = headset.input();
+    const auto middle = [](const std::array<xr::EyeView, 2>& eyes) {
+        return xr::interpolate(eyes[0].pose, eyes[1].pose, 0.5f);
+    };
+    PersonInFrame person;
+    if (drawn_) person.head = middle(headset.views());
+    person.worn = headset.news().worn;
+    person.spaceMoved = headset.news().spaceMoved;
+    person.buttonHeld = input.hand(xr::Hand::left).recentre || input.hand(xr::Hand::right).recentre;
+    placing_.update(person, workshop_, elapsed);
+    if (!placing_.due() || hands_.torch().trigger() > 0) return;
     std::array<xr::EyeView, 2> eyes;
     if (!headset.locateEyes(eyes)) return;
-    const xr::Pose head = xr::interpolate(eyes[0].pose, eyes[1].pose, 0.5f);
-    workshop_.recentre(head, parameters_, headset.session().originOnFloor());
+    const bool set = parameters_.table == HeadsetParameters::kSetHeight;
+    parameters_.tableHeight = workshop_.place(middle(eyes), set ? std::optional(parameters_.setHeight) : std::nullopt,
+                                              headset.session().originOnFloor());
+    placing_.placed(middle(eyes));
     changes_.recentred(hands_, session);
 }
 
@@ -208,7 +221,7 @@ MenuRequest HeadsetFrontEnd::drawMenu(LessonSession& session, Home& home, const 
                             {home, section_, warning(), hands_.tipReport(), figures});
         headset.showPanel(workshop_.toSession(panel_.pose()));
     });
-    if (answer.recentre) workshop_.requestRecentre();
+    if (answer.recentre) placing_.request();
     if (answer.measureTip) hands_.measureTip();
     if (answer.measureAxis) hands_.measureAxis();
     return answer.request;

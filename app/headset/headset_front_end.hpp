@@ -8,6 +8,7 @@
 #include "app/headset/panel_pointer.hpp"
 #include "app/headset/stereo_view.hpp"
 #include "app/headset/torch_feedback.hpp"
+#include "app/headset/workshop_placing.hpp"
 #include "app/session/lesson_session.hpp"
 #include "app/session/window_headset.hpp"
 #include "xr/headset_connection.hpp"
@@ -47,7 +48,7 @@ class HeadsetFrontEnd final : public WindowHeadset {
     void readHands(LessonSession& session, const Home& home, double elapsed);
     void showResult(const LessonSession& session);
     void askAgain(const LessonSession& session, const xr::Input& input);
-    void placeWorkshop(LessonSession& session);
+    void placeWorkshop(LessonSession& session, double elapsed);
     bool leadsTorch() const { return inFrame_ && changes_.lessonRuns() && hands_.torch().known(); }
     void drawEyes(LessonSession& session, double elapsed, gl::Profiler* profiler);
     void recordPerson(LessonSession& session);
@@ -59,6 +60,7 @@ class HeadsetFrontEnd final : public WindowHeadset {
     ParameterSection section_;
     xr::HeadsetConnection connection_;
     Workshop workshop_;
+    WorkshopPlacing placing_;
     WorkpiecePlace place_;
     HeadsetHands hands_;
     HeadsetChanges changes_;

@@ -10,7 +10,7 @@ constexpr std::array<std::string_view, 2> kHands{"right", "left"};
 constexpr std::array<std::string_view, 2> kTorchOn{"controller", "tracker"};
 constexpr std::array<std::string_view, 2> kDeskViews{"trainee", "camera"};
 constexpr std::array<std::string_view, 4> kBothEyes{"automatic", "viewports", "clip distances", "passes"};
-constexpr std::array<std::string_view, 2> kPostures{"standing", "seated"};
+constexpr std::array<std::string_view, 2> kTables{"from your eyes", "as set"};
 
 } // namespace
 
@@ -26,9 +26,9 @@ ParameterList describe(HeadsetParameters& p) {
         {"hand", "Torch in the hand", "", &p.hand, 0, 1, "The other hand holds the pointer.", kHands},
         {"torch", "Torch on", "", &p.torchOn, 0, 1,
          "With tracker, a Vive tracker sits on a real torch. The trigger is its own or the hand's.", kTorchOn},
-        {"posture", "Posture", "", &p.posture, 0, 1,
-         "With seated, the table is in front of you at any height of the floor.", kPostures},
-        {"table_height", "Table height", "m", &p.tableHeight, 0.4, 1.4, "Height over the floor, only for standing."},
+        {"table", "Height of the table", "", &p.table, 0, 1,
+         "From your eyes: it fits you, standing or seated. As set: the height below, over the floor.", kTables},
+        {"table_height", "Set height", "m", &p.setHeight, 0.4, 1.6, "Acts with the height of the table as set."},
         {"zoom", "Zoom of the classic lesson", "", &p.zoom, 1, 10,
          "Factor on the metal's size, paths and speeds. Torch and hands keep their size."},
         {"weld_zoom", "Zoom of a weld", "", &p.weldZoom, 1, 10,

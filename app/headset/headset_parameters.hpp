@@ -11,14 +11,15 @@ namespace meltpool {
 struct HeadsetParameters {
     enum TorchHand { kRight, kLeft };
     enum TorchOn { kController, kTracker };
-    enum Posture { kStanding, kSeated };
+    enum Table { kFromEyes, kSetHeight };
     enum DeskView { kTrainee, kCamera };
     enum BothEyes { kAutomatic, kViewports, kClipDistances, kPasses };
 
     int hand = kRight;            ///< TorchHand
     int torchOn = kController;    ///< TorchOn: device that carries the torch's pose
-    int posture = kStanding;      ///< Posture
-    float tableHeight = 0.90f;    ///< m above the floor (standing)
+    int table = kFromEyes;        ///< Table: origin of the table's height
+    float setHeight = 0.90f;      ///< m of the table over the floor, for kSetHeight
+    float tableHeight = 0.90f;    ///< m over the workshop's floor, in effect since the workshop was last placed
     float zoom = 4.0f;            ///< scale at which the classic lesson's box is shown
     float weldZoom = 1.0f;        ///< scale of a weld's workpiece; 1 again at each start of a weld lesson
     float resolutionScale = 1.0f; ///< factor on the runtime's recommended size of a side

@@ -69,11 +69,14 @@ void StereoView::wearVisor(const LessonSession& session, SceneView& scene, const
 }
 
 /// Adds torch and hands of the process, table, machine and holders, in a room with depth.
-void StereoView::furnish(LessonSession& session, const SceneView& lesson) {
+void StereoView::furnish(LessonSession& session, const SceneView& lesson, const WorkpiecePlace& place) {
     hands_.process = &session.lesson().process;
     hands_.extension = session.run().arc().extension;
     if (!holdsRod(*hands_.process)) hands_.rod.reset();
-    if (!session.picture().cut().shown()) hands_.holders = lesson.furniture.last(lesson.holderSolids);
+    holders_.clear();
+    // The zoom enlarges the holders with the workpiece.
+    if (!session.picture().cut().shown()) session.picture().addHolders(holders_, place.overTable / place.zoom);
+    hands_.holders = holders_;
     if (session.leader() == TorchLeader::path) {
         hands_.toolFittings = lesson.fittings;
         hands_.rod.reset();
@@ -92,7 +95,7 @@ void StereoView::draw(LessonSession& session, const SceneView& lesson, const Wor
     hands_.toolsToWorkshop = place.modelToWorkshop(kClassicUnit);
     LookParameters look = session.picture().look();
     const bool fine = has(look, DetailFeature::room) && lesson.room.shown; // only weld lessons have a room
-    if (fine) furnish(session, lesson);
+    if (fine) furnish(session, lesson, place);
     scene.solids = scene_.build(parameters_, hands_);
     scene.tableShown = true;
     scene.fittings = scene_.fittings();

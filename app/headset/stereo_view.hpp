@@ -8,6 +8,8 @@
 #include "app/session/lesson_session.hpp"
 #include "xr/headset.hpp"
 
+#include <vector>
+
 namespace meltpool {
 
 class StereoView {
@@ -31,13 +33,14 @@ class StereoView {
               const xr::BothEyes& eyes, gl::Profiler* profiler);
 
   private:
-    void furnish(LessonSession& session, const SceneView& lesson);
+    void furnish(LessonSession& session, const SceneView& lesson, const WorkpiecePlace& place);
     void standCut(LessonSession& session, SceneView& scene) const;
     void wearVisor(const LessonSession& session, SceneView& scene, const View& between, LookParameters& look);
 
     const HeadsetParameters& parameters_;
     WorkshopScene scene_;
     HandsView hands_;
+    std::vector<Solid> holders_; ///< of the workpiece, in the lesson's world
     Visor visor_;
     double sinceSeen_ = 0; ///< s since the eye last saw a picture
 };

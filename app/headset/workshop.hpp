@@ -5,23 +5,29 @@
 #include "core/weld/workpiece/position.hpp"
 #include "xr/pose.hpp"
 
+#include <optional>
+
 namespace meltpool {
 
 /// Defines a right-handed frame in metres, y up, its origin on the floor under the middle of the workpiece, the welder
-/// on the side of +z looking along -z. It keeps its place in the room until the person asks for a recentre.
+/// on the side of +z looking along -z. It keeps its place in the room until it is placed again, see WorkshopPlacing.
 class Workshop {
   public:
-    /// Distance of the person's eyes behind the workpiece's middle after a recentre, m.
-    static constexpr float kReach = 0.45f;
-    /// Drop from the eyes to the table's top when seated, m.
-    static constexpr float kSeatedDrop = 0.45f;
+    /// Distance of the person's eyes behind the workpiece's middle once placed, m.
+    static constexpr float kReach = 0.36f;
+    /// Drop from the eyes to the table's top, m. With kReach a weld on the table is half a metre from the eyes of a
+    /// person who stands or sits upright.
+    static constexpr float kDrop = 0.40f;
+    /// Lowest and highest table whose height follows from the eyes, m over the floor: for a child on a chair and for a
+    /// person of 2.1 m.
+    static constexpr float kLowest = 0.5f, kHighest = 1.65f;
+    /// Distance of the table's middle behind the workpiece's, m: the person's body is in front of the table's edge.
+    static constexpr float kTableBack = 0.12f;
 
-    /// Puts the workshop in front of a head at `head` (session space): turned to its direction, upright. When standing,
-    /// with a known floor, the workshop's floor is the real one; else the table is put before the person.
-    void recentre(const xr::Pose& head, const HeadsetParameters& parameters, bool floorKnown);
-    /// Returns true if recentre() is due: at first and after requestRecentre().
-    bool recentreRequested() const { return recentreRequested_; }
-    void requestRecentre() { recentreRequested_ = true; }
+    /// Puts the workshop in front of a head at `head` (session space): turned to its direction, upright. With a known
+    /// floor the workshop's floor is the real one. Returns the height of the table's top over the workshop's floor, m:
+    /// `setHeight`, or without one kDrop below the eyes.
+    float place(const xr::Pose& head, std::optional<float> setHeight, bool floorKnown);
 
     /// Converts from the session's space to the workshop.
     xr::Pose toWorkshop(const xr::Pose& inSession) const { return sessionToWorkshop_ * inSession; }
@@ -29,14 +35,18 @@ class Workshop {
 
   private:
     xr::Pose sessionToWorkshop_;
-    bool recentreRequested_ = true;
 };
+
+/// Returns the fixture of the lesson as a positioner holds it in the headset: a vertical seam before the face, an
+/// overhead one above it, each within reach of the eyes whose table is Workshop::kDrop below them.
+Fixture beforeFace(const Fixture& held);
 
 /// Place of the workpiece on the table, or over it: its own frame (m, origin set by the lesson) enlarged by the zoom
 /// and turned as its position requires.
 struct WorkpiecePlace {
     glm::vec3 origin{0.0f}; ///< origin of the workpiece's frame, in the workshop
     float zoom = 1.0f;
+    float overTable = 0;  ///< m from the table's top to the workpiece's lowest place
     glm::mat3 turn{1.0f}; ///< rotation from the workpiece's frame to the workshop's
 
     /// `bottom`: height of the workpiece's lowest place over its origin, m, with y upwards in the workshop. The

@@ -34,21 +34,24 @@ void WorkshopScene::add(SolidShape shape, const glm::mat4& toWorld, const glm::v
 
 void WorkshopScene::addRoom(float tableHeight) {
     constexpr float kWidth = 1.2f, kDepth = 0.75f, kThickness = 0.03f, kLeg = 0.05f;
+    constexpr float kBack = -Workshop::kTableBack;
     add(SolidShape::box, boxAt({0, -0.01f, 0.2f}, {2.6f, 0.02f, 2.2f}), kMat, 0.1f);
-    add(SolidShape::box, boxAt({0, tableHeight - kThickness / 2, 0}, {kWidth, kThickness, kDepth}), kTableSteel, 0.3f);
+    add(SolidShape::box, boxAt({0, tableHeight - kThickness / 2, kBack}, {kWidth, kThickness, kDepth}), kTableSteel,
+        0.3f);
     // The slots of a clamping table help to judge distances on it.
     constexpr float kSlot = 0.006f, kSpacing = 0.15f, kRaise = 0.0004f;
     for (int i = -3; i <= 3; ++i)
-        add(SolidShape::box, boxAt({float(i) * kSpacing, tableHeight, 0}, {kSlot, kRaise, kDepth - 0.06f}), kSlotBlack,
-            0);
+        add(SolidShape::box, boxAt({float(i) * kSpacing, tableHeight, kBack}, {kSlot, kRaise, kDepth - 0.06f}),
+            kSlotBlack, 0);
     for (int i = -2; i <= 2; ++i)
-        add(SolidShape::box, boxAt({0, tableHeight, float(i) * kSpacing}, {kWidth - 0.06f, kRaise, kSlot}), kSlotBlack,
-            0);
+        add(SolidShape::box, boxAt({0, tableHeight, kBack + float(i) * kSpacing}, {kWidth - 0.06f, kRaise, kSlot}),
+            kSlotBlack, 0);
     const float legHeight = tableHeight - kThickness;
     for (const float x : {-1.0f, 1.0f})
         for (const float z : {-1.0f, 1.0f})
             add(SolidShape::box,
-                boxAt({x * (kWidth / 2 - kLeg), legHeight / 2, z * (kDepth / 2 - kLeg)}, {kLeg, legHeight, kLeg}),
+                boxAt({x * (kWidth / 2 - kLeg), legHeight / 2, kBack + z * (kDepth / 2 - kLeg)},
+                      {kLeg, legHeight, kLeg}),
                 kDarkSteel, 0.2f);
 }
 
@@ -85,7 +88,7 @@ void WorkshopScene::addProcessTorch(const HeadsetParameters& parameters, const H
     solids_.insert(solids_.end(), torch_.begin(), torch_.end());
     TorchSurroundings around;
     around.hand = hands.grip.position;
-    around.cableEnd = kCableEnd + glm::vec3(0, parameters.tableHeight, 0);
+    around.cableEnd = kCableEnd + glm::vec3(0, parameters.tableHeight, -Workshop::kTableBack);
     buildTorchFittings(fittings_, sample, *hands.process, around, glm::mat4(1.0f));
 }
 
@@ -93,7 +96,7 @@ void WorkshopScene::addProcessTorch(const HeadsetParameters& parameters, const H
 void WorkshopScene::furnish(const HeadsetParameters& parameters, const HandsView& hands) {
     const FurnitureKey key{parameters.tableHeight, hands.process->kind, equipmentOf(*hands.process).displays};
     if (furnished_ != key) {
-        const glm::mat4 bench = glm::translate(glm::mat4(1.0f), {0, parameters.tableHeight, 0});
+        const glm::mat4 bench = glm::translate(glm::mat4(1.0f), {0, parameters.tableHeight, -Workshop::kTableBack});
         furniture_.clear();
         addTable(furniture_, bench, parameters.tableHeight);
         addMachine(furniture_, bench, *hands.process);

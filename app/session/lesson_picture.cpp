@@ -84,6 +84,10 @@ Fixture LessonPicture::fixture() const {
     return weld() ? fixtureOf(trainer()->lesson().workpiece) : Fixture{};
 }
 
+void LessonPicture::addHolders(std::vector<Solid>& solids, float overTable) const {
+    if (shown() != nullptr) shown()->addHolders(solids, overTable);
+}
+
 std::optional<glm::vec3> LessonPicture::arcFrom(const glm::mat4& worldToEye) const {
     if (!weld()) return std::nullopt;
     const glm::vec3 world = fixture().turn * trainer()->torch().tip / kClassicUnit;

@@ -75,6 +75,8 @@ class LessonPicture {
     float bottom() const;
     /// Fixture of the workpiece; flat without a running weld lesson.
     Fixture fixture() const;
+    /// See MetalScene::addHolders(); a no-op without metal.
+    void addHolders(std::vector<Solid>& solids, float overTable) const;
     /// Place of the arc in the eye's frame of this view matrix, m. Nothing without a running weld lesson.
     std::optional<glm::vec3> arcFrom(const glm::mat4& worldToEye) const;
 

@@ -11,7 +11,7 @@ enum class ArcOut {
     zoomed,        ///< the workpiece is shown at another size
     handChanged,   ///< the torch went to the other hand
     holderChanged, ///< from the controller to a tracker or back
-    tableMoved,    ///< posture or height of the table changed
+    tableMoved,    ///< the table's height changed
     tipJumped,     ///< the tip jumped faster than a hand moves
     torchLost,     ///< the torch is out of sight, or its controller is off
     runtimeLost,   ///< the headset's runtime has stopped or does not answer

@@ -52,9 +52,13 @@ void WeldScene::furnish() {
     addTable(furniture_, benchToWorld, kUsualTableHeight);
     addMachine(furniture_, benchToWorld, shown_.process);
     const size_t others = furniture_.size();
-    addHolders(furniture_, toWorld, workpiece, overTable_);
+    meltpool::addHolders(furniture_, toWorld, workpiece, overTable_);
     holders_ = furniture_.size() - others;
     cableEnd_ = glm::transpose(workpiece.turn) * (kCableEnd + glm::vec3(0, top, 0));
+}
+
+void WeldScene::addHolders(std::vector<Solid>& solids, float overTable) const {
+    meltpool::addHolders(solids, glm::scale(glm::mat4(1.0F), glm::vec3(1 / kWorldUnit)), shown_.workpiece, overTable);
 }
 
 void WeldScene::showTorch(SceneView& scene, const TorchSample& torch) {

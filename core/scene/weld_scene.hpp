@@ -25,6 +25,7 @@ class WeldScene : public MetalScene {
     explicit WeldScene(const ShownWeld& shown);
 
     SceneView view(const TorchSample& torch) override;
+    void addHolders(std::vector<Solid>& solids, float overTable) const override;
 
   private:
     void furnish();

@@ -34,8 +34,7 @@ TEST_CASE("recentre brings the workpiece in front of the eyes and keeps the worl
     const float yaw = GENERATE(0.0f, 0.7f, 3.0f, -2.0f), pitch = GENERATE(0.0f, -0.9f);
     const xr::Pose head = headAt({1.3f, 1.7f, -2.1f}, yaw, pitch);
     Workshop workshop;
-    HeadsetParameters parameters;
-    workshop.recentre(head, parameters, true);
+    CHECK(workshop.place(head, 0.8f, true) == 0.8f);
     const xr::Pose seen = workshop.toWorkshop(head);
     CHECK(glm::distance(seen.position, glm::vec3(0, 1.7f, Workshop::kReach)) < 1e-4f);
     const glm::vec3 forward = seen.forward();
@@ -48,16 +47,41 @@ TEST_CASE("recentre brings the workpiece in front of the eyes and keeps the worl
     CHECK(glm::distance(back.position, head.position) < 1e-4f);
 }
 
-TEST_CASE("seated, or without a known floor, the table comes to the person") {
+TEST_CASE("the table's height fits the eyes of a person who stands or sits, unless a height is set") {
     Workshop workshop;
-    HeadsetParameters parameters;
+    for (const float eyes : {1.15f, 1.44f, 1.63f, 1.83f}) {
+        const xr::Pose head = headAt({0.3f, eyes, -1}, 0.4f, 0);
+        CHECK(workshop.place(head, std::nullopt, true) == Approx(eyes - Workshop::kDrop));
+        CHECK(workshop.toWorkshop(head).position.y == Approx(eyes)); // the floor is the real one
+        CHECK(workshop.place(head, 0.7f, true) == 0.7f);
+        CHECK(workshop.toWorkshop(head).position.y == Approx(eyes));
+    }
+    CHECK(workshop.place(headAt({0, 0.3f, 0}, 0, 0), std::nullopt, true) == Workshop::kLowest);
+    CHECK(workshop.place(headAt({0, 2.4f, 0}, 0, 0), std::nullopt, true) == Workshop::kHighest);
+}
+
+TEST_CASE("without a known floor the table comes to the person") {
+    Workshop workshop;
     const xr::Pose head = headAt({0, 0.1f, 0}, 0, 0);
-    parameters.posture = HeadsetParameters::kSeated;
-    workshop.recentre(head, parameters, true);
-    CHECK(workshop.toWorkshop(head).position.y == Approx(parameters.tableHeight + Workshop::kSeatedDrop));
-    parameters.posture = HeadsetParameters::kStanding;
-    workshop.recentre(head, parameters, false);
-    CHECK(workshop.toWorkshop(head).position.y == Approx(parameters.tableHeight + Workshop::kSeatedDrop));
+    const auto set = GENERATE(std::optional<float>(), std::optional<float>(0.7f));
+    const float table = workshop.place(head, set, false);
+    CHECK(table == set.value_or(kUsualTableHeight));
+    CHECK(workshop.toWorkshop(head).position.y == Approx(table + Workshop::kDrop));
+}
+
+TEST_CASE("a positioner holds vertical and overhead pieces before the face") {
+    CHECK(beforeFace({}).overTable == 0);
+    WorkpieceParameters workpiece;
+    workpiece.kind = static_cast<int>(WorkpieceKind::Tee);
+    const auto over = [&](WeldPosition position) {
+        workpiece.position = static_cast<int>(position);
+        return beforeFace(fixtureOf(workpiece)).overTable;
+    };
+    CHECK(over(WeldPosition::f2) == 0);
+    CHECK(over(WeldPosition::f1) == 0);
+    CHECK(over(WeldPosition::f3) > 0.1f);
+    CHECK(over(WeldPosition::f3) < Workshop::kDrop);
+    CHECK(over(WeldPosition::f4) > Workshop::kDrop + 0.1f);
 }
 
 TEST_CASE("the workpiece rests on the table at every zoom") {

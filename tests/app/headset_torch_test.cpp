@@ -65,9 +65,8 @@ struct TrackedWeld {
 TEST_CASE("a recentre puts the arc out before the torch is elsewhere", "[app]") {
     TrackedWeld weld;
     weld.burn();
-    HeadsetParameters parameters;
     weld.torch.putOut(ArcOut::recentred);
-    weld.workshop.recentre({{1, 0, 0, 0}, {0.2f, 1.6f, 0.6f}}, parameters, true);
+    weld.workshop.place({{1, 0, 0, 0}, {0.2f, 1.6f, 0.6f}}, 0.9f, true);
     const glm::vec3 hand(0.003f, 1, 0);
     for (int i = 0; i < 4; ++i)
         weld.frame(handAt(hand, 1));

@@ -1,5 +1,6 @@
 #include "tests/xr/trainee.hpp"
 
+#include "app/headset/workshop_placing.hpp"
 #include "core/base/text.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/places.hpp"
@@ -75,7 +76,7 @@ Trainee::Trainee() {
 }
 
 glm::vec3 Trainee::inRoom(const glm::vec3& place) const {
-    return glm::vec3(0, tableTop - bottom * zoom, 0) + place * zoom - glm::vec3(0, 0, 0.45f);
+    return glm::vec3(0, tableTop - bottom * zoom, 0) + place * zoom - glm::vec3(0, 0, Workshop::kReach);
 }
 
 void Trainee::lookDown() {
@@ -127,7 +128,7 @@ void Trainee::point(const glm::vec3& from, const glm::vec3& target, float trigge
 
 void Trainee::pointAtPixel(float x, float y, float trigger) {
     const xr::Pose panel = panelPose(hand == 1, tableHeight); // 900 x 1100 pixels, 0.6 m wide
-    const glm::vec3 toRoom(0, tableTop - tableHeight, -0.45f);
+    const glm::vec3 toRoom(0, tableTop - tableHeight, -Workshop::kReach);
     point(panel * glm::vec3(0.1f, -0.1f, 0.5f) + toRoom,
           panel * glm::vec3((x - 450) / 1500, (550 - y) / 1500, 0) + toRoom, trigger);
 }
@@ -195,6 +196,16 @@ void Trainee::showPanel(TrainerProcess& trainer, bool open) {
         passFrames(trainer, 4);
     }
     REQUIRE(isSo(trainer.now()));
+}
+
+void Trainee::holdStick(TrainerProcess& trainer) {
+    state.hands[0].thumbstickClick = true;
+    send();
+    sleepFor(WorkshopPlacing::kHold + 0.2);
+    passFrames(trainer, 4);
+    state.hands[0].thumbstickClick = false;
+    send();
+    passFrames(trainer, 2);
 }
 
 void Trainee::letGo(TrainerProcess& trainer) {

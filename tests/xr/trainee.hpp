@@ -2,6 +2,7 @@
 // hands.
 #pragma once
 
+#include "app/headset/workshop.hpp"
 #include "tests/xr/trainer_process.hpp"
 
 #include <functional>
@@ -28,8 +29,8 @@ struct Trainee {
     size_t hand = 1;                         ///< hand with the torch: 0 left, 1 right
     std::optional<size_t> pointingHand = {}; ///< hand that points at the panel; the torch's hand if empty
     float zoom = 4;                          ///< zoom of the lesson
-    float tableHeight = 0.9f;                ///< m, from the settings
-    float tableTop = 0.9f;                   ///< m, in the session's space
+    float tableHeight = 1.6f - Workshop::kDrop; ///< m over the workshop's floor
+    float tableTop = 1.6f - Workshop::kDrop;    ///< m, in the session's space
     float bottom = -0.04f;                   ///< lowest place of the lesson's box in the workpiece's frame, m
     glm::quat held = glm::angleAxis(-0.8f, glm::vec3(1, 0, 0)); ///< the torch's orientation
 
@@ -62,6 +63,8 @@ struct Trainee {
                const std::function<bool(const nlohmann::json&)>& done);
     /// Presses the pointing hand's menu button until the panel is open (or closed).
     void showPanel(TrainerProcess& trainer, bool open);
+    /// Holds the stick of the left hand in until the workshop has come.
+    void holdStick(TrainerProcess& trainer);
     /// Releases the trigger until the program has seen it.
     void letGo(TrainerProcess& trainer);
     void send() { driver.send(state); }

@@ -258,8 +258,7 @@ TEST_CASE("the panel opens and its buttons are pressed with the pointer's ray: r
                           {0.5f, 1.6f, 0.3f}};
     trainee.send();
     CHECK(eyeComesTo(trainer, 0, first, [](double share) { return share > 0.1; }));
-    trainee.state.hands[0].thumbstickClick = true;
-    trainee.send();
+    trainee.holdStick(trainer);
     // The notice may give another speed of the metal.
     CHECK(eyeComesTo(trainer, 0, first, [](double share) { return share < 0.03; }));
     keepPicture(shownEye(screenshot(), 0), "recentred.png");

@@ -38,6 +38,8 @@ class LessonScene : private StepWatcher {
     /// The world under the trainer's torch, with the surface of the last updateSurface(). Its solids and sparks are
     /// valid until the next call.
     SceneView view();
+    /// See MetalScene::addHolders().
+    void addHolders(std::vector<Solid>& solids, float overTable) const { around_->addHolders(solids, overTable); }
 
     /// Requests the metal's place under this torch, on the surface of the last updateSurface(); never waits.
     void requestDistance(const TorchSample& torch);
