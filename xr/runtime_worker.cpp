@@ -96,6 +96,7 @@ void RuntimeWorker::poll() {
 
 void RuntimeWorker::waitFrame() {
     timing = session->waitFrame();
+    news.add(session->takeNews(timing.displayTime));
     input->read(timing.displayTime);
 }
 
