@@ -96,7 +96,9 @@ void RuntimeWorker::poll() {
 
 void RuntimeWorker::waitFrame() {
     timing = session->waitFrame();
-    news.add(session->takeNews(timing.displayTime));
+    const SessionNews fresh = session->takeNews(timing.displayTime);
+    if (fresh.profileChanged) input->onProfileChanged();
+    news.add(fresh);
     input->read(timing.displayTime);
 }
 
