@@ -100,8 +100,10 @@ void addHandsFacts(Headset& headset, Diagnosis& diagnosis) {
         const std::string profile = input.profile(hand);
         const HandInput& now = input.hand(hand);
         const char* state = now.tracked ? ", tracked" : now.present ? ", not tracked" : ", off";
+        const std::optional<bool> byAim = input.holdsByAim(hand);
+        const char* hold = !byAim ? "" : *byAim ? ", torch along its aim" : ", torch along its grip";
         diagnosis.facts.push_back({hand == Hand::left ? "left controller" : "right controller",
-                                   profile.empty() ? "none" : profile + state, now.present});
+                                   profile.empty() ? "none" : profile + state + hold, now.present});
     }
     for (const TrackerInput& tracker : input.trackers())
         if (tracker.tracked) diagnosis.facts.push_back({"tracker", tracker.role});

@@ -77,6 +77,7 @@ void Headset::call(CallThread::Call work, WorkPlace place) {
 }
 
 void Headset::poll() {
+    news_ = {};
     patience_ = kPatience;
     if (stalled_) {
         if (!thread_->over()) throw Stalled();
@@ -97,6 +98,7 @@ FrameTiming Headset::waitFrame() {
         call(invoke<&RuntimeWorker::waitFrame>, WorkPlace::waiting);
         waitedLate_ = false;
     }
+    news_ = std::exchange(worker_->news, {});
     return worker_->timing;
 }
 

@@ -58,6 +58,8 @@ class Headset {
     const EyeTargets& eyes() const { return *targets_; } ///< valid also while stalled
     const HeadsetSettings& settings() const { return settings_; }
     bool hasDepthLayer() const { return worker_->depthFormat != GL_NONE; }
+    /// The runtime reports when the headset is put on and taken off (SessionNews::worn).
+    bool hasUserPresence() const { return worker_->instance->info().userPresence; }
     /// The binding's name: GLX, EGL, WGL.
     const char* bindingKind() const { return worker_->bindingKind; }
 
@@ -65,8 +67,11 @@ class Headset {
     bool running() const { return running_; }  ///< valid also while stalled
     SessionMode mode() const { return mode_; } ///< valid also while stalled
     bool stalled() const { return stalled_; }  ///< a call was abandoned and was still in progress at the last poll()
-    /// Waits for the next frame and reads the hands for it.
+    /// Waits for the next frame and reads the hands and the news for it.
     FrameTiming waitFrame();
+    /// Happenings since the last frame: valid from waitFrame() to the next poll(), else empty. Each is shown in one
+    /// frame; if that frame is abandoned in waitFrame(), or the session does not run, in the next one.
+    const SessionNews& news() const { return news_; }
     void beginFrame();
     /// Poses of the eyes at the frame's time; false if the head is not tracked.
     bool locateEyes(std::array<EyeView, 2>& eyes);
@@ -110,6 +115,7 @@ class Headset {
     bool waitedLate_ = false; ///< the abandoned call was waitFrame(); later: it is over, and its frame is not yet used
     bool running_ = false;
     SessionMode mode_ = SessionMode::waiting;
+    SessionNews news_;
     Input::HapticCalls hapticCalls_;
 };
 

@@ -1,6 +1,8 @@
 // Makes the action sets, suggests bindings and reads the actions once a frame.
 #include "xr/input.hpp"
 
+#include "xr/hold.hpp"
+
 #include <cstring>
 
 namespace meltpool::xr {
@@ -181,10 +183,11 @@ void Input::makeSpaces() {
 
 void Input::forget() {
     for (HandInput& hand : hands_) {
-        const Pose grip = hand.grip, aim = hand.aim;
+        const Pose grip = hand.grip, aim = hand.aim, hold = hand.hold;
         hand = {};
         hand.grip = grip;
         hand.aim = aim;
+        hand.hold = hold;
     }
     for (TrackerInput& tracker : trackers_) {
         tracker.tracked = false;
@@ -212,6 +215,23 @@ void Input::read(XrTime time) {
     }
 }
 
+void Input::locateHand(size_t index, XrTime time) {
+    HandInput& hand = hands_[index];
+    bool aimTracked = false;
+    session_.locate(gripSpaces_[index], time, hand.grip, hand.tracked);
+    session_.locate(aimSpaces_[index], time, hand.aim, aimTracked);
+    std::optional<Hold>& hold = holds_[index];
+    if (!hold && hand.tracked && aimTracked)
+        hold = {xr::holdsByAim(hand.grip, hand.aim), holdRotation(hand.grip, hand.aim)};
+    hand.hold = hand.grip;
+    if (hold) hand.hold.orientation = hand.grip.orientation * hold->fromGrip;
+}
+
+std::optional<bool> Input::holdsByAim(Hand which) const {
+    const std::optional<Hold>& hold = holds_[size_t(which)];
+    return hold ? std::optional(hold->byAim) : std::nullopt;
+}
+
 void Input::readHand(size_t index, XrTime time) {
     HandInput& hand = hands_[index];
     const XrPath path = handPaths_[index];
@@ -220,11 +240,7 @@ void Input::readHand(size_t index, XrTime time) {
     MELTPOOL_XR(xrGetActionStatePose(session_.handle(), &grip, &state));
     hand.present = state.isActive == XR_TRUE;
     hand.tracked = false;
-    if (hand.present) {
-        session_.locate(gripSpaces_[index], time, hand.grip, hand.tracked);
-        bool aimTracked = false;
-        session_.locate(aimSpaces_[index], time, hand.aim, aimTracked);
-    }
+    if (hand.present) locateHand(index, time);
     hand.trigger = readFloat(actions_.trigger, path);
     hand.squeeze = readFloat(actions_.squeeze, path);
     hand.menu = wentDown(actions_.menu, path);

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <chrono>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,6 +22,7 @@ struct HandInput {
     bool tracked = false;  ///< the pose is measured in this frame; else `grip` is the last known one
     Pose grip;             ///< pose in the session's space
     Pose aim;              ///< ray along -Z
+    Pose hold;             ///< pose of a held tool: place of the grip, along the aim if the grip leans far from it
     float trigger = 0;     ///< 0..1
     float squeeze = 0;     ///< 0..1
     bool menu = false;     ///< pressed since the last frame
@@ -50,6 +52,11 @@ class Input {
     void read(XrTime time);
     const HandInput& hand(Hand which) const { return hands_[size_t(which)]; }
     const std::vector<TrackerInput>& trackers() const { return trackers_; }
+
+    /// Chooses each hand's hold by its next tracked poses: it may have another controller.
+    void onProfileChanged() { holds_ = {}; }
+    /// True if a tool in this hand follows the aim, false if it follows the grip; empty before both were tracked.
+    std::optional<bool> holdsByAim(Hand which) const;
 
     /// Plays the pulse; a silent one stops the vibration. At most once a hand and frame.
     void play(Hand which, const HapticPulse& pulse);
@@ -87,6 +94,12 @@ class Input {
         Wave wave;
     };
 
+    /// A hand's choice of the tool's direction. Grip and aim are rigid to each other, so it is made once.
+    struct Hold {
+        bool byAim = false;
+        glm::quat fromGrip{1, 0, 0, 0};
+    };
+
     void makeActions();
     void makeTrackerActions();
     void suggest();
@@ -97,6 +110,7 @@ class Input {
                         std::span<const XrPath> paths);
     XrAction actionOf(Action action) const;
     void readHand(size_t hand, XrTime time);
+    void locateHand(size_t hand, XrTime time);
     void forget();
     float readFloat(XrAction action, XrPath hand) const;
     bool wentDown(XrAction action, XrPath hand) const;
@@ -113,6 +127,7 @@ class Input {
     std::array<XrSpace, 2> gripSpaces_{};
     std::array<XrSpace, 2> aimSpaces_{};
     std::array<HandInput, 2> hands_;
+    std::array<std::optional<Hold>, 2> holds_;
     std::array<HapticOutput, 2> handOutputs_{};
     std::vector<HapticOutput> trackerOutputs_;
     std::vector<XrPath> rolePaths_;

@@ -3,6 +3,7 @@
 
 #include "core/base/environment.hpp"
 #include "xr/graphics_binding.hpp"
+#include "xr/newer_openxr.hpp"
 #include "xr/profiles.hpp"
 
 #include <algorithm>
@@ -14,11 +15,12 @@ namespace meltpool::xr {
 namespace {
 
 constexpr const char* kOpenGl = "XR_KHR_opengl_enable";
+constexpr const char* kUserPresence = "XR_EXT_user_presence";
 
 /// Extensions that are enabled if the runtime offers them; interaction profiles name further ones.
 constexpr std::array kOptional{
     "XR_MNDX_egl_enable", "XR_KHR_composition_layer_depth", "XR_HTCX_vive_tracker_interaction",
-    "XR_FB_haptic_pcm",   "XR_FB_display_refresh_rate",
+    "XR_FB_haptic_pcm",   "XR_FB_display_refresh_rate",     kUserPresence,
 };
 
 std::vector<std::string> wantedExtensions(const std::vector<std::string>& offered) {
@@ -103,9 +105,12 @@ void Instance::findSystem() {
     get.formFactor = XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY;
     MELTPOOL_XR(xrGetSystem(instance_, &get, &system_));
     XrSystemProperties system{XR_TYPE_SYSTEM_PROPERTIES};
+    XrSystemUserPresencePropertiesEXT presence{XR_TYPE_SYSTEM_USER_PRESENCE_PROPERTIES_EXT, nullptr, XR_FALSE};
+    if (has(kUserPresence)) system.next = &presence;
     MELTPOOL_XR(xrGetSystemProperties(instance_, system_, &system));
     info_.system = system.systemName;
     info_.positionTracking = system.trackingProperties.positionTracking == XR_TRUE;
+    info_.userPresence = presence.supportsUserPresence == XR_TRUE;
 }
 
 XrPath Instance::path(const char* text) const {

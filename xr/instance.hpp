@@ -23,6 +23,7 @@ struct RuntimeInfo {
     std::string runtime; ///< "Monado(XRT) ... 25.0.0"
     std::string system;  ///< the headset's name
     bool positionTracking = false;
+    bool userPresence = false; ///< reports when the headset is put on and taken off
 };
 
 /// An XrInstance with a head-mounted system. Needs no OpenGL context, so another thread may make it.

@@ -96,6 +96,9 @@ void RuntimeWorker::poll() {
 
 void RuntimeWorker::waitFrame() {
     timing = session->waitFrame();
+    const SessionNews fresh = session->takeNews(timing.displayTime);
+    if (fresh.profileChanged) input->onProfileChanged();
+    news.add(fresh);
     input->read(timing.displayTime);
 }
 

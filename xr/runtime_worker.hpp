@@ -80,6 +80,7 @@ class RuntimeWorker : public ThreadOwned {
     int height = 0;
     const char* bindingKind = "";
     FrameTiming timing;
+    SessionNews news; ///< news for the frame waited for, cleared by the reader
     std::array<EyeView, 2> views;
     bool headTracked = false;
     GLsync copied = nullptr; ///< reached when the submission's textures may be drawn into again

@@ -1,14 +1,19 @@
 // Creates the session, follows its states, and ends it.
 #include "xr/platform.hpp"
 
+#include "xr/newer_openxr.hpp"
 #include "xr/session.hpp"
 
 #include <chrono>
 #include <thread>
+#include <utility>
 
 namespace meltpool::xr {
 
 namespace {
+
+/// A runtime announces a change some frames ahead; a change farther away is a mistake of its clock.
+constexpr XrTime kLongestNotice = 1'000'000'000; // ns
 
 constexpr XrPosef kIdentity{{0, 0, 0, 1}, {0, 0, 0}};
 
@@ -27,6 +32,12 @@ void askOpenGlRequirements(const Instance& instance) {
 }
 
 } // namespace
+
+void SessionNews::add(const SessionNews& later) {
+    spaceMoved = spaceMoved || later.spaceMoved;
+    profileChanged = profileChanged || later.profileChanged;
+    if (later.worn) worn = later.worn;
+}
 
 Session::Session(const Instance& instance, const GraphicsBinding& binding) : instance_(instance) {
     if (binding.extension() != nullptr && !instance.has(binding.extension()))
@@ -65,7 +76,8 @@ void Session::makeSpace() {
     for (const XrReferenceSpaceType type : types)
         stage_ = stage_ || type == XR_REFERENCE_SPACE_TYPE_STAGE;
     XrReferenceSpaceCreateInfo info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO};
-    info.referenceSpaceType = stage_ ? XR_REFERENCE_SPACE_TYPE_STAGE : XR_REFERENCE_SPACE_TYPE_LOCAL;
+    if (stage_) spaceType_ = XR_REFERENCE_SPACE_TYPE_STAGE;
+    info.referenceSpaceType = spaceType_;
     info.poseInReferenceSpace = kIdentity;
     MELTPOOL_XR(xrCreateReferenceSpace(session_, &info, &space_));
 }
@@ -120,18 +132,52 @@ void Session::onStateChanged(XrSessionState state) {
     }
 }
 
-void Session::poll(FunctionRef<void(const XrEventDataBuffer&)> onOther) {
+void Session::poll() {
     XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
     while (MELTPOOL_XR(xrPollEvent(instance_.handle(), &event)) == XR_SUCCESS) {
-        if (event.type == XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED)
-            onStateChanged(reinterpret_cast<const XrEventDataSessionStateChanged&>(event).state);
-        else if (event.type == XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING) {
-            lost_ = true;
-            running_ = false;
-        } else if (onOther)
-            onOther(event);
+        onEvent(event);
         event = {XR_TYPE_EVENT_DATA_BUFFER};
     }
+}
+
+void Session::onEvent(const XrEventDataBuffer& event) {
+    switch (static_cast<int>(event.type)) { // an older header does not list every event
+    case XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED:
+        onStateChanged(reinterpret_cast<const XrEventDataSessionStateChanged&>(event).state);
+        break;
+    case XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING:
+        lost_ = true;
+        running_ = false;
+        break;
+    case XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING:
+        onSpaceChange(reinterpret_cast<const XrEventDataReferenceSpaceChangePending&>(event));
+        break;
+    case XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED:
+        news_.profileChanged = true;
+        break;
+    case XR_TYPE_EVENT_DATA_USER_PRESENCE_CHANGED_EXT:
+        news_.worn = reinterpret_cast<const XrEventDataUserPresenceChangedEXT&>(event).isUserPresent == XR_TRUE;
+        break;
+    default:
+        break;
+    }
+}
+
+void Session::onSpaceChange(const XrEventDataReferenceSpaceChangePending& change) {
+    // With STAGE the runtime's own centring moves only LOCAL, but the person wants the workshop in front all the same.
+    if (change.referenceSpaceType != spaceType_ && change.referenceSpaceType != XR_REFERENCE_SPACE_TYPE_LOCAL) return;
+    news_.spaceMoved = true;
+    spaceMovesAt_ = change.changeTime;
+}
+
+SessionNews Session::takeNews(XrTime displayTime) {
+    SessionNews taken = std::exchange(news_, {});
+    const bool ahead = spaceMovesAt_ > displayTime && spaceMovesAt_ - displayTime < kLongestNotice;
+    if (taken.spaceMoved && ahead) {
+        news_.spaceMoved = true;
+        taken.spaceMoved = false;
+    }
+    return taken;
 }
 
 void Session::requestExit() {

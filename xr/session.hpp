@@ -7,6 +7,7 @@
 #include "xr/pose.hpp"
 
 #include <array>
+#include <optional>
 
 namespace meltpool::xr {
 
@@ -33,6 +34,17 @@ struct FrameTiming {
     bool shouldRender = false;
 };
 
+/// Happenings that the runtime reported.
+struct SessionNews {
+    /// The reference space moved, or the person centred the view by the runtime's own button. A space on the floor may
+    /// stay where it is then.
+    bool spaceMoved = false;
+    bool profileChanged = false; ///< a hand holds another controller
+    std::optional<bool> worn;    ///< the headset was put on or taken off; needs RuntimeInfo::userPresence
+
+    void add(const SessionNews& later);
+};
+
 class Session {
   public:
     /// `instance` outlives the session; the binding's context is current and stays so. Throws XrFault.
@@ -51,8 +63,11 @@ class Session {
 
     SessionMode mode() const;
     bool running() const { return running_; }
-    /// Handles all pending events; passes events that do not concern the session's state to `onOther`.
-    void poll(FunctionRef<void(const XrEventDataBuffer&)> onOther = {});
+    /// Handles all pending events.
+    void poll();
+    /// The news of all polls since the last call. A moved space waits for a frame whose `displayTime` has reached the
+    /// change.
+    SessionNews takeNews(XrTime displayTime);
     /// Asks the runtime to end the session; poll() follows the states to its end.
     void requestExit();
 
@@ -72,12 +87,15 @@ class Session {
   private:
     void create(const GraphicsBinding& binding);
     void makeSpace();
+    void onEvent(const XrEventDataBuffer& event);
     void onStateChanged(XrSessionState state);
+    void onSpaceChange(const XrEventDataReferenceSpaceChangePending& change);
     void leave();
 
     const Instance& instance_;
     XrSession session_ = XR_NULL_HANDLE;
     XrSpace space_ = XR_NULL_HANDLE;
+    XrReferenceSpaceType spaceType_ = XR_REFERENCE_SPACE_TYPE_LOCAL;
     bool stage_ = false;
     XrSessionState state_ = XR_SESSION_STATE_UNKNOWN;
     bool running_ = false;
@@ -85,6 +103,8 @@ class Session {
     bool waited_ = false; ///< true: waitFrame() returned a frame that has not begun
     bool inFrame_ = false;
     XrTime displayTime_ = 0; ///< time of the frame last waited for
+    SessionNews news_;
+    XrTime spaceMovesAt_ = 0;
 };
 
 } // namespace meltpool::xr
