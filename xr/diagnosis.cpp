@@ -49,6 +49,11 @@ std::string formatName(std::int64_t format) {
     }
 }
 
+const char* floorName(XrReferenceSpaceType space) {
+    if (space == XR_REFERENCE_SPACE_TYPE_LOCAL) return "not known (LOCAL)";
+    return space == XR_REFERENCE_SPACE_TYPE_STAGE ? "known (STAGE)" : "known (LOCAL_FLOOR)";
+}
+
 std::string decimal(double value, const char* unit) {
     std::array<char, 48> text{};
     std::snprintf(text.data(), text.size(), "%.1f %s", value, unit);
@@ -122,7 +127,9 @@ void addSessionFacts(std::unique_ptr<Instance> instance, Diagnosis& diagnosis) {
         formats += (formats.empty() ? "" : ", ") + formatName(format);
     diagnosis.facts.push_back({"picture formats", formats});
     diagnosis.facts.push_back({"depth layer", headset.hasDepthLayer() ? "yes" : "no"});
-    diagnosis.facts.push_back({"floor", headset.session().originOnFloor() ? "known (STAGE)" : "not known (LOCAL)"});
+    diagnosis.facts.push_back({"panel behind nearer things", headset.hasLayerDepthTest() ? "yes" : "no"});
+    diagnosis.facts.push_back({"put on and taken off", headset.hasUserPresence() ? "reported" : "not reported"});
+    diagnosis.facts.push_back({"floor", floorName(headset.session().spaceType())});
     const double period = watch(headset);
     if (period > 0)
         diagnosis.facts.push_back({"refresh rate", decimal(refreshRate(headset, period), "Hz")});

@@ -58,6 +58,8 @@ class Headset {
     const EyeTargets& eyes() const { return *targets_; } ///< valid also while stalled
     const HeadsetSettings& settings() const { return settings_; }
     bool hasDepthLayer() const { return worker_->depthFormat != GL_NONE; }
+    /// Things drawn into the eyes hide the panel and the notice behind them (XR_FB_composition_layer_depth_test).
+    bool hasLayerDepthTest() const { return worker_->testsLayerDepth(); }
     /// The runtime reports when the headset is put on and taken off (SessionNews::worn).
     bool hasUserPresence() const { return worker_->instance->info().userPresence; }
     /// The binding's name: GLX, EGL, WGL.

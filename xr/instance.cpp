@@ -21,6 +21,7 @@ constexpr const char* kUserPresence = "XR_EXT_user_presence";
 constexpr std::array kOptional{
     "XR_MNDX_egl_enable", "XR_KHR_composition_layer_depth", "XR_HTCX_vive_tracker_interaction",
     "XR_FB_haptic_pcm",   "XR_FB_display_refresh_rate",     kUserPresence,
+    "XR_EXT_local_floor", "XR_EXT_performance_settings",    "XR_FB_composition_layer_depth_test",
 };
 
 std::vector<std::string> wantedExtensions(const std::vector<std::string>& offered) {
@@ -88,6 +89,8 @@ void Instance::create() {
     XrInstanceCreateInfo create{XR_TYPE_INSTANCE_CREATE_INFO};
     std::strncpy(create.applicationInfo.applicationName, "Meltpool", XR_MAX_APPLICATION_NAME_SIZE - 1);
     create.applicationInfo.applicationVersion = 1;
+    // Every loader and runtime takes 1.0, older ones nothing newer, and 1.1 brings nothing that its extensions do not
+    // bring to 1.0: those (local_floor, the interaction profiles) are asked for by their names.
     create.applicationInfo.apiVersion = XR_MAKE_VERSION(1, 0, 0);
     create.enabledExtensionCount = static_cast<uint32_t>(names.size());
     create.enabledExtensionNames = names.data();

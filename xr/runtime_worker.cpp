@@ -1,6 +1,7 @@
 #include "xr/runtime_worker.hpp"
 
 #include "core/gl/context.hpp"
+#include "xr/device_speed.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -66,6 +67,7 @@ void RuntimeWorker::open() {
     const GraphicsBinding binding = GraphicsBinding::ofCurrentContext();
     bindingKind = binding.kind();
     session = std::make_unique<Session>(*instance, binding);
+    requestSpeed(*session);
     input = std::make_unique<Input>(*session);
     makeSwapchains();
     from_ = std::make_unique<gl::Framebuffer>("submission source");
@@ -88,6 +90,10 @@ void RuntimeWorker::makeSwapchains() {
         const PanelShape& shape = i == size_t(Quad::panel) ? settings_.panel : settings_.notice;
         quads_[i] = std::make_unique<Swapchain>(*session, colourFormat, shape.widthPixels, shape.heightPixels, false);
     }
+}
+
+bool RuntimeWorker::testsLayerDepth() const {
+    return depthFormat != GL_NONE && instance->has("XR_FB_composition_layer_depth_test");
 }
 
 void RuntimeWorker::poll() {
@@ -161,6 +167,11 @@ void RuntimeWorker::fillProjection() {
         view.next = &depthInfos_[eye];
     }
     projection_.type = XR_TYPE_COMPOSITION_LAYER_PROJECTION;
+    if (testsLayerDepth()) {
+        // The compositor's depths are infinitely far at first: the eyes write theirs, and the quads behind are tested.
+        projectionDepthTest_ = {XR_TYPE_COMPOSITION_LAYER_DEPTH_TEST_FB, nullptr, XR_TRUE, XR_COMPARE_OP_ALWAYS_FB};
+        projection_.next = &projectionDepthTest_;
+    }
     projection_.space = session->space();
     projection_.viewCount = uint32_t(projectionViews_.size());
     projection_.views = projectionViews_.data();
@@ -178,6 +189,12 @@ void RuntimeWorker::submitQuad(size_t which) {
     const PanelShape& shape = which == size_t(Quad::panel) ? settings_.panel : settings_.notice;
     XrCompositionLayerQuad& quad = quadLayers_[which];
     quad.type = XR_TYPE_COMPOSITION_LAYER_QUAD;
+    quad.next = nullptr;
+    if (submission.eyes && testsLayerDepth()) {
+        // Without a write, so that the panel's clear parts do not hide the notice behind them.
+        quadDepthTest_ = {XR_TYPE_COMPOSITION_LAYER_DEPTH_TEST_FB, nullptr, XR_FALSE, XR_COMPARE_OP_LESS_OR_EQUAL_FB};
+        quad.next = &quadDepthTest_;
+    }
     quad.layerFlags = XR_COMPOSITION_LAYER_BLEND_TEXTURE_SOURCE_ALPHA_BIT;
     quad.space = session->space();
     quad.eyeVisibility = XR_EYE_VISIBILITY_BOTH;

@@ -4,6 +4,7 @@
 #include "core/gl/texture.hpp"
 #include "xr/call_thread.hpp"
 #include "xr/input.hpp"
+#include "xr/newer_openxr.hpp"
 #include "xr/panel.hpp"
 #include "xr/swapchain.hpp"
 
@@ -70,6 +71,9 @@ class RuntimeWorker : public ThreadOwned {
     /// needed before endFrame().
     bool drawsOnProcessor() const { return software_; }
 
+    /// True if the runtime hides flat pictures behind nearer things of the eyes.
+    bool testsLayerDepth() const;
+
     // Results.
     std::unique_ptr<Instance> instance;
     std::unique_ptr<Session> session;
@@ -106,6 +110,8 @@ class RuntimeWorker : public ThreadOwned {
     std::array<XrCompositionLayerProjectionView, 2> projectionViews_{};
     std::array<XrCompositionLayerDepthInfoKHR, 2> depthInfos_{};
     XrCompositionLayerProjection projection_{};
+    XrCompositionLayerDepthTestFB projectionDepthTest_{};
+    XrCompositionLayerDepthTestFB quadDepthTest_{};
     std::array<XrCompositionLayerQuad, kQuads> quadLayers_{};
     std::array<const XrCompositionLayerBaseHeader*, 1 + kQuads> layers_{};
     uint32_t layerCount_ = 0;

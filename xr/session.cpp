@@ -4,6 +4,7 @@
 #include "xr/newer_openxr.hpp"
 #include "xr/session.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
 #include <utility>
@@ -73,10 +74,14 @@ void Session::makeSpace() {
     MELTPOOL_XR(xrEnumerateReferenceSpaces(session_, 0, &count, nullptr));
     std::vector<XrReferenceSpaceType> types(count);
     MELTPOOL_XR(xrEnumerateReferenceSpaces(session_, count, &count, types.data()));
-    for (const XrReferenceSpaceType type : types)
-        stage_ = stage_ || type == XR_REFERENCE_SPACE_TYPE_STAGE;
+    const auto offered = [&](XrReferenceSpaceType type) {
+        return std::find(types.begin(), types.end(), type) != types.end();
+    };
+    if (offered(XR_REFERENCE_SPACE_TYPE_STAGE))
+        spaceType_ = XR_REFERENCE_SPACE_TYPE_STAGE;
+    else if (instance_.has("XR_EXT_local_floor") && offered(XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR_EXT))
+        spaceType_ = XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR_EXT;
     XrReferenceSpaceCreateInfo info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO};
-    if (stage_) spaceType_ = XR_REFERENCE_SPACE_TYPE_STAGE;
     info.referenceSpaceType = spaceType_;
     info.poseInReferenceSpace = kIdentity;
     MELTPOOL_XR(xrCreateReferenceSpace(session_, &info, &space_));

@@ -57,9 +57,11 @@ class Session {
 
     XrSession handle() const { return session_; }
     const Instance& instance() const { return instance_; }
-    /// STAGE (origin on the floor) if the runtime offers it, else LOCAL (origin near the head at start).
+    /// STAGE or else LOCAL_FLOOR (both with the origin on the floor) if the runtime offers one of them, else LOCAL
+    /// (origin near the head at start).
     XrSpace space() const { return space_; }
-    bool originOnFloor() const { return stage_; }
+    XrReferenceSpaceType spaceType() const { return spaceType_; }
+    bool originOnFloor() const { return spaceType_ != XR_REFERENCE_SPACE_TYPE_LOCAL; }
 
     SessionMode mode() const;
     bool running() const { return running_; }
@@ -96,7 +98,6 @@ class Session {
     XrSession session_ = XR_NULL_HANDLE;
     XrSpace space_ = XR_NULL_HANDLE;
     XrReferenceSpaceType spaceType_ = XR_REFERENCE_SPACE_TYPE_LOCAL;
-    bool stage_ = false;
     XrSessionState state_ = XR_SESSION_STATE_UNKNOWN;
     bool running_ = false;
     bool lost_ = false;

@@ -13,11 +13,12 @@ struct PersonInFrame {
     std::optional<bool> worn = {};     ///< news of the runtime: the headset was put on (true) or taken off
     bool spaceMoved = false;           ///< news of the runtime: its own recentre moved the session's space
     bool buttonHeld = false;           ///< a hand holds the button for it down
+    bool handsAct = false;             ///< a hand moves, or presses something
 };
 
 /// The workshop is due in these cases:
 /// - The first head is located.
-/// - The headset was put on: the runtime says so, or a head that lay still moves. It must be far from the last place,
+/// - The headset was put on: the runtime says so, or a head that lay still beside its controllers moves. It must be far from the last place,
 ///   so that somebody who only lifts the visor finds the work where it was.
 /// - The person has gone far away.
 /// - The system's own recentre moved the space.
@@ -26,7 +27,7 @@ struct PersonInFrame {
 class WorkshopPlacing {
   public:
     static constexpr double kHold = 1;          ///< s that the button must be held
-    static constexpr double kRest = 5;          ///< s without motion after which a head lies on a desk
+    static constexpr double kRest = 8;          ///< s without any motion after which headset and controllers lie on a desk
     static constexpr double kCalm = 0.5;        ///< s of calm before a place is taken
     static constexpr double kLongestWait = 4;   ///< s after which a restless head counts as calm
     static constexpr float kFarAway = 2;        ///< m from the workpiece, level
@@ -45,7 +46,7 @@ class WorkshopPlacing {
 
   private:
     void takeButton(bool held, double elapsed);
-    void takeRest(const xr::Pose& head, double elapsed);
+    void takeRest(const PersonInFrame& person, double elapsed);
     bool calm(const xr::Pose& head, double elapsed);
     bool elsewhere(const xr::Pose& head, const Workshop& workshop) const;
 

@@ -29,6 +29,65 @@ TEST_CASE("every controller can hold, heat and be felt in either hand, once each
     }
 }
 
+namespace {
+
+/// Components of a controller that its extension lists and we may use.
+struct Components {
+    const char* profile;
+    const char* extension;
+    std::set<std::string> both;
+    std::set<std::string> left;
+    std::set<std::string> right;
+};
+
+const std::set<std::string> kPressedSqueeze{"input/grip/pose",       "input/aim/pose",      "output/haptic",
+                                            "input/trigger/value",   "input/squeeze/click", "input/thumbstick",
+                                            "input/thumbstick/click"};
+const std::set<std::string> kFeltSqueeze{"input/grip/pose",       "input/aim/pose",      "output/haptic",
+                                         "input/trigger/value",   "input/squeeze/value", "input/thumbstick",
+                                         "input/thumbstick/click"};
+const std::set<std::string> kLeftButtons{"input/x/click", "input/y/click", "input/menu/click"};
+const std::set<std::string> kRightButtons{"input/a/click", "input/b/click"};
+
+const std::vector<Components> kComponents{
+    {"htc/vive_focus3_controller", "XR_HTC_vive_focus3_controller_interaction", kPressedSqueeze, kLeftButtons,
+     kRightButtons},
+    {"htc/vive_cosmos_controller", "XR_HTC_vive_cosmos_controller_interaction", kPressedSqueeze, kLeftButtons,
+     kRightButtons},
+    {"facebook/touch_controller_pro", "XR_FB_touch_controller_pro", kFeltSqueeze, kLeftButtons, kRightButtons},
+    {"meta/touch_controller_plus", "XR_META_touch_controller_plus", kFeltSqueeze, kLeftButtons, kRightButtons},
+    {"bytedance/pico_neo3_controller", "XR_BD_controller_interaction", kFeltSqueeze, kLeftButtons, kRightButtons},
+    {"bytedance/pico4_controller", "XR_BD_controller_interaction", kFeltSqueeze, kLeftButtons, kRightButtons},
+    {"bytedance/pico_ultra_controller_bd", "XR_BD_ultra_controller_interaction", kFeltSqueeze, kLeftButtons,
+     kRightButtons},
+    {"valve/frame_controller_valve",
+     "XR_VALVE_frame_controller_interaction",
+     kFeltSqueeze,
+     {"input/view/click", "input/dpad_up/click"},
+     {"input/menu/click", "input/a/click", "input/b/click", "input/x/click", "input/y/click"}},
+};
+
+} // namespace
+
+TEST_CASE("controllers of extensions are suggested by their components, since one wrong path loses the controller") {
+    const std::span<const xr::InteractionProfile> profiles = xr::interactionProfiles();
+    for (const Components& known : kComponents) {
+        INFO(known.profile);
+        const auto profile = std::find_if(profiles.begin(), profiles.end(), [&](const xr::InteractionProfile& one) {
+            return one.path == std::string("/interaction_profiles/") + known.profile;
+        });
+        REQUIRE(profile != profiles.end());
+        CHECK(profile->extension == std::string(known.extension));
+        for (const xr::SuggestedBinding& binding : profile->bindings) {
+            INFO(binding.component);
+            const bool inLeft = known.both.contains(binding.component) || known.left.contains(binding.component);
+            const bool inRight = known.both.contains(binding.component) || known.right.contains(binding.component);
+            CHECK((binding.sides == xr::Sides::right || inLeft));
+            CHECK((binding.sides == xr::Sides::left || inRight));
+        }
+    }
+}
+
 TEST_CASE("a ray meets the panel where it points and nowhere from behind") {
     const xr::PanelShape shape{600, 300, 0.6f};
     const xr::Pose panel{glm::angleAxis(0.5f, glm::vec3(0, 1, 0)), {0.2f, 1.4f, -1.0f}};

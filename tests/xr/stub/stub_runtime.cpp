@@ -3,8 +3,10 @@
 
 #include "xr/headset.hpp"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <cstring>
 #include <thread>
 
@@ -29,30 +31,147 @@ XrResult StubRuntime::call() {
     return lost_ ? XR_ERROR_INSTANCE_LOST : XR_SUCCESS;
 }
 
-void StubRuntime::onFrame(bool pictures) {
+namespace {
+
+StubLayer noteLayer(const XrCompositionLayerBaseHeader& layer) {
+    StubLayer noted{layer.type};
+    for (const auto* next = static_cast<const XrBaseInStructure*>(layer.next); next != nullptr; next = next->next) {
+        if (next->type != XR_TYPE_COMPOSITION_LAYER_DEPTH_TEST_FB) continue;
+        const auto& test = *reinterpret_cast<const XrCompositionLayerDepthTestFB*>(next);
+        noted.tested = true;
+        noted.writesDepth = test.depthMask == XR_TRUE;
+        noted.compare = test.compareOp;
+    }
+    return noted;
+}
+
+} // namespace
+
+void StubRuntime::onFrame(const XrFrameEndInfo& frame) {
     ++frames_;
-    if (pictures && slowFrames_ > 0) --slowFrames_;
+    if (frame.layerCount == 0) return;
+    if (slowFrames_ > 0) --slowFrames_;
+    const std::lock_guard lock(mutex_);
+    layers_.clear();
+    for (uint32_t i = 0; i < frame.layerCount; ++i)
+        layers_.push_back(noteLayer(*frame.layers[i]));
+}
+
+StubDevice StubRuntime::device() const {
+    const std::lock_guard lock(mutex_);
+    return device_;
+}
+
+void StubRuntime::setDevice(const StubDevice& device) {
+    const std::lock_guard lock(mutex_);
+    device_ = device;
+}
+
+template <class Event>
+void StubRuntime::send(const Event& event) {
+    static_assert(sizeof event <= sizeof(XrEventDataBuffer));
+    const std::lock_guard lock(mutex_);
+    XrEventDataBuffer& buffer = events_.emplace_back();
+    std::memcpy(&buffer, &event, sizeof event);
 }
 
 void StubRuntime::changeState(XrSessionState state) {
-    const std::lock_guard lock(mutex_);
-    states_.push_back(state);
+    XrEventDataSessionStateChanged event{XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED};
+    event.state = state;
+    send(event);
+}
+
+void StubRuntime::moveSpace(XrReferenceSpaceType type, XrTime at) {
+    XrEventDataReferenceSpaceChangePending event{XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING};
+    event.referenceSpaceType = type;
+    event.changeTime = at;
+    send(event);
+}
+
+void StubRuntime::wear(bool worn) {
+    if (!enabled("XR_EXT_user_presence")) return;
+    XrEventDataUserPresenceChangedEXT event{XR_TYPE_EVENT_DATA_USER_PRESENCE_CHANGED_EXT};
+    event.isUserPresent = worn ? XR_TRUE : XR_FALSE;
+    send(event);
+}
+
+void StubRuntime::changeController(float lean) {
+    {
+        const std::lock_guard lock(mutex_);
+        device_.lean = lean;
+    }
+    send(XrEventDataInteractionProfileChanged{XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED});
 }
 
 bool StubRuntime::takeEvent(XrEventDataBuffer& event) {
     const std::lock_guard lock(mutex_);
-    if (states_.empty()) return false;
-    XrEventDataSessionStateChanged told{XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED};
-    told.state = states_.front();
-    states_.pop_front();
-    std::memcpy(&event, &told, sizeof told);
+    if (events_.empty()) return false;
+    event = events_.front();
+    events_.pop_front();
     return true;
+}
+
+void StubRuntime::onEnabled(std::vector<std::string> extensions) {
+    const std::lock_guard lock(mutex_);
+    enabled_ = std::move(extensions);
+    requestedRate_ = 0;
+    sustained_ = 0;
+}
+
+bool StubRuntime::enabled(const std::string& extension) const {
+    const std::lock_guard lock(mutex_);
+    return std::find(enabled_.begin(), enabled_.end(), extension) != enabled_.end();
+}
+
+void StubRuntime::onAction(XrAction action, const char* name) {
+    const std::lock_guard lock(mutex_);
+    actions_[action] = name;
+}
+
+void StubRuntime::onActionSpace(XrSpace space, XrAction action) {
+    const std::lock_guard lock(mutex_);
+    actionSpaces_[space] = actions_[action];
+}
+
+XrPosef StubRuntime::pose(XrSpace space) const {
+    XrPosef pose{{0, 0, 0, 1}, {0, 0, 0}};
+    const std::lock_guard lock(mutex_);
+    const auto found = actionSpaces_.find(space);
+    if (found == actionSpaces_.end() || found->second != "aim") return pose;
+    pose.orientation.x = std::sin(device_.lean / 2);
+    pose.orientation.w = std::cos(device_.lean / 2);
+    return pose;
+}
+
+void StubRuntime::onRate(float rate) {
+    const std::lock_guard lock(mutex_);
+    requestedRate_ = rate;
+}
+
+float StubRuntime::requestedRate() const {
+    const std::lock_guard lock(mutex_);
+    return requestedRate_;
+}
+
+void StubRuntime::onSustained() {
+    const std::lock_guard lock(mutex_);
+    ++sustained_;
+}
+
+int StubRuntime::sustainedProcessors() const {
+    const std::lock_guard lock(mutex_);
+    return sustained_;
+}
+
+std::vector<StubLayer> StubRuntime::layers() const {
+    const std::lock_guard lock(mutex_);
+    return layers_;
 }
 
 void StubRuntime::onInstance(int change) {
     const std::lock_guard lock(mutex_);
     instances_ += change;
-    states_.clear();
+    events_.clear();
     if (change > 0) lost_ = false;
 }
 
@@ -100,6 +219,62 @@ XrResult openGlRequirements(XrInstance, XrSystemId, XrGraphicsRequirementsOpenGL
     return XR_SUCCESS;
 }
 
+XrResult enumerateRates(XrSession, uint32_t capacity, uint32_t* count, float* out) {
+    const std::vector<float> rates = stubRuntime().device().rates;
+    *count = uint32_t(rates.size());
+    for (uint32_t i = 0; i < capacity; ++i)
+        out[i] = rates[i];
+    return XR_SUCCESS;
+}
+
+XrResult requestRate(XrSession, float rate) {
+    const std::vector<float> rates = stubRuntime().device().rates;
+    if (std::find(rates.begin(), rates.end(), rate) == rates.end()) return XR_ERROR_DISPLAY_REFRESH_RATE_UNSUPPORTED_FB;
+    stubRuntime().onRate(rate);
+    return XR_SUCCESS;
+}
+
+XrResult setPerformanceLevel(XrSession, XrPerfSettingsDomainEXT, XrPerfSettingsLevelEXT level) {
+    if (level == XR_PERF_SETTINGS_LEVEL_SUSTAINED_HIGH_EXT) stubRuntime().onSustained();
+    return XR_SUCCESS;
+}
+
+/// A function of an extension.
+struct StubFunction {
+    const char* name;
+    const char* extension;
+    PFN_xrVoidFunction function;
+};
+
+template <class Function>
+StubFunction stubFunction(const char* name, const char* extension, Function* function) {
+    return {name, extension, reinterpret_cast<PFN_xrVoidFunction>(function)};
+}
+
+constexpr std::array kExtensions{"XR_KHR_opengl_enable",
+                                 "XR_MNDX_egl_enable",
+                                 "XR_KHR_composition_layer_depth",
+                                 "XR_EXT_user_presence",
+                                 "XR_EXT_local_floor",
+                                 "XR_EXT_performance_settings",
+                                 "XR_FB_display_refresh_rate",
+                                 "XR_FB_composition_layer_depth_test"};
+
+std::vector<std::string> offeredByStub() {
+    const std::vector<std::string> withheld = stubRuntime().device().withheld;
+    std::vector<std::string> offered;
+    for (const char* name : kExtensions)
+        if (std::find(withheld.begin(), withheld.end(), name) == withheld.end()) offered.emplace_back(name);
+    return offered;
+}
+
+std::vector<XrReferenceSpaceType> spacesOfStub() {
+    std::vector<XrReferenceSpaceType> types{XR_REFERENCE_SPACE_TYPE_VIEW, XR_REFERENCE_SPACE_TYPE_LOCAL};
+    if (stubRuntime().device().stage) types.push_back(XR_REFERENCE_SPACE_TYPE_STAGE);
+    if (stubRuntime().enabled("XR_EXT_local_floor")) types.push_back(XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR_EXT);
+    return types;
+}
+
 } // namespace
 
 } // namespace meltpool::test
@@ -110,14 +285,22 @@ extern "C" {
 
 XrResult xrEnumerateInstanceExtensionProperties(const char*, uint32_t capacity, uint32_t* count,
                                                 XrExtensionProperties* out) {
-    constexpr std::array names{"XR_KHR_opengl_enable", "XR_MNDX_egl_enable", "XR_KHR_composition_layer_depth"};
-    *count = names.size();
+    const std::vector<std::string> names = offeredByStub();
+    *count = uint32_t(names.size());
     for (uint32_t i = 0; i < capacity; ++i)
-        std::strncpy(out[i].extensionName, names[i], XR_MAX_EXTENSION_NAME_SIZE - 1);
+        std::strncpy(out[i].extensionName, names[i].c_str(), XR_MAX_EXTENSION_NAME_SIZE - 1);
     return XR_SUCCESS;
 }
 
-XrResult xrCreateInstance(const XrInstanceCreateInfo*, XrInstance* instance) {
+XrResult xrCreateInstance(const XrInstanceCreateInfo* info, XrInstance* instance) {
+    // A runtime of 1.0, as older ones are.
+    if (info->applicationInfo.apiVersion >= XR_MAKE_VERSION(1, 1, 0)) return XR_ERROR_API_VERSION_UNSUPPORTED;
+    const std::vector<std::string> offered = offeredByStub();
+    std::vector<std::string> asked(info->enabledExtensionNames,
+                                   info->enabledExtensionNames + info->enabledExtensionCount);
+    for (const std::string& name : asked)
+        if (std::find(offered.begin(), offered.end(), name) == offered.end()) return XR_ERROR_EXTENSION_NOT_PRESENT;
+    stubRuntime().onEnabled(std::move(asked));
     stubRuntime().onInstance(1);
     *instance = newHandle<XrInstance>();
     return XR_SUCCESS;
@@ -135,9 +318,18 @@ XrResult xrGetInstanceProperties(XrInstance, XrInstanceProperties* properties) {
 }
 
 XrResult xrGetInstanceProcAddr(XrInstance, const char* name, PFN_xrVoidFunction* function) {
-    if (std::strcmp(name, "xrGetOpenGLGraphicsRequirementsKHR") != 0) return XR_ERROR_FUNCTION_UNSUPPORTED;
-    *function = reinterpret_cast<PFN_xrVoidFunction>(openGlRequirements);
-    return XR_SUCCESS;
+    const std::array functions{
+        stubFunction("xrGetOpenGLGraphicsRequirementsKHR", "XR_KHR_opengl_enable", openGlRequirements),
+        stubFunction("xrEnumerateDisplayRefreshRatesFB", "XR_FB_display_refresh_rate", enumerateRates),
+        stubFunction("xrRequestDisplayRefreshRateFB", "XR_FB_display_refresh_rate", requestRate),
+        stubFunction("xrPerfSettingsSetPerformanceLevelEXT", "XR_EXT_performance_settings", setPerformanceLevel),
+    };
+    for (const StubFunction& known : functions) {
+        if (std::strcmp(name, known.name) != 0 || !stubRuntime().enabled(known.extension)) continue;
+        *function = known.function;
+        return XR_SUCCESS;
+    }
+    return XR_ERROR_FUNCTION_UNSUPPORTED;
 }
 
 XrResult xrGetSystem(XrInstance, const XrSystemGetInfo*, XrSystemId* system) {
@@ -148,6 +340,10 @@ XrResult xrGetSystem(XrInstance, const XrSystemGetInfo*, XrSystemId* system) {
 XrResult xrGetSystemProperties(XrInstance, XrSystemId, XrSystemProperties* properties) {
     std::strcpy(properties->systemName, "stub headset");
     properties->trackingProperties.positionTracking = XR_TRUE;
+    for (auto* next = static_cast<XrBaseOutStructure*>(properties->next); next != nullptr; next = next->next)
+        if (next->type == XR_TYPE_SYSTEM_USER_PRESENCE_PROPERTIES_EXT)
+            reinterpret_cast<XrSystemUserPresencePropertiesEXT*>(next)->supportsUserPresence =
+                stubRuntime().device().presence ? XR_TRUE : XR_FALSE;
     return XR_SUCCESS;
 }
 
@@ -191,6 +387,7 @@ XrResult xrBeginSession(XrSession, const XrSessionBeginInfo*) {
     for (const XrSessionState state :
          {XR_SESSION_STATE_SYNCHRONIZED, XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_FOCUSED})
         stubRuntime().changeState(state);
+    stubRuntime().wear(true); // reported at each begin
     return XR_SUCCESS;
 }
 
@@ -206,16 +403,24 @@ XrResult xrRequestExitSession(XrSession) {
 }
 
 XrResult xrEnumerateReferenceSpaces(XrSession, uint32_t capacity, uint32_t* count, XrReferenceSpaceType* out) {
-    return answerList(std::array{XR_REFERENCE_SPACE_TYPE_LOCAL, XR_REFERENCE_SPACE_TYPE_STAGE}, capacity, count, out);
+    const std::vector<XrReferenceSpaceType> types = spacesOfStub();
+    *count = uint32_t(types.size());
+    for (uint32_t i = 0; i < capacity; ++i)
+        out[i] = types[i];
+    return XR_SUCCESS;
 }
 
-XrResult xrCreateReferenceSpace(XrSession, const XrReferenceSpaceCreateInfo*, XrSpace* space) {
+XrResult xrCreateReferenceSpace(XrSession, const XrReferenceSpaceCreateInfo* info, XrSpace* space) {
+    const std::vector<XrReferenceSpaceType> types = spacesOfStub();
+    if (std::find(types.begin(), types.end(), info->referenceSpaceType) == types.end())
+        return XR_ERROR_REFERENCE_SPACE_UNSUPPORTED;
     *space = newHandle<XrSpace>();
     return XR_SUCCESS;
 }
 
-XrResult xrCreateActionSpace(XrSession, const XrActionSpaceCreateInfo*, XrSpace* space) {
+XrResult xrCreateActionSpace(XrSession, const XrActionSpaceCreateInfo* info, XrSpace* space) {
     *space = newHandle<XrSpace>();
+    stubRuntime().onActionSpace(*space, info->action);
     return XR_SUCCESS;
 }
 
@@ -223,10 +428,10 @@ XrResult xrDestroySpace(XrSpace) {
     return XR_SUCCESS;
 }
 
-XrResult xrLocateSpace(XrSpace, XrSpace, XrTime, XrSpaceLocation* location) {
+XrResult xrLocateSpace(XrSpace space, XrSpace, XrTime, XrSpaceLocation* location) {
     location->locationFlags = XR_SPACE_LOCATION_POSITION_VALID_BIT | XR_SPACE_LOCATION_ORIENTATION_VALID_BIT |
                               XR_SPACE_LOCATION_POSITION_TRACKED_BIT | XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT;
-    location->pose = kIdentity;
+    location->pose = stubRuntime().pose(space);
     return stubRuntime().call();
 }
 
@@ -298,7 +503,7 @@ XrResult xrBeginFrame(XrSession, const XrFrameBeginInfo*) {
 
 XrResult xrEndFrame(XrSession, const XrFrameEndInfo* info) {
     const XrResult result = stubRuntime().call();
-    if (XR_SUCCEEDED(result)) stubRuntime().onFrame(info->layerCount > 0);
+    if (XR_SUCCEEDED(result)) stubRuntime().onFrame(*info);
     return result;
 }
 
@@ -311,8 +516,9 @@ XrResult xrDestroyActionSet(XrActionSet) {
     return XR_SUCCESS;
 }
 
-XrResult xrCreateAction(XrActionSet, const XrActionCreateInfo*, XrAction* action) {
+XrResult xrCreateAction(XrActionSet, const XrActionCreateInfo* info, XrAction* action) {
     *action = newHandle<XrAction>();
+    stubRuntime().onAction(*action, info->actionName);
     return XR_SUCCESS;
 }
 
