@@ -181,9 +181,10 @@ void Input::makeSpaces() {
 
 void Input::forget() {
     for (HandInput& hand : hands_) {
-        const Pose grip = hand.grip, aim = hand.aim;
+        const Pose grip = hand.grip, hold = hand.hold, aim = hand.aim;
         hand = {};
         hand.grip = grip;
+        hand.hold = hold;
         hand.aim = aim;
     }
     for (TrackerInput& tracker : trackers_) {
@@ -222,6 +223,7 @@ void Input::readHand(size_t index, XrTime time) {
     hand.tracked = false;
     if (hand.present) {
         session_.locate(gripSpaces_[index], time, hand.grip, hand.tracked);
+        hand.hold = hand.grip;
         bool aimTracked = false;
         session_.locate(aimSpaces_[index], time, hand.aim, aimTracked);
     }

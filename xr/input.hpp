@@ -20,6 +20,7 @@ struct HandInput {
     bool present = false;  ///< a controller is switched on and bound
     bool tracked = false;  ///< the pose is measured in this frame; else `grip` is the last known one
     Pose grip;             ///< pose in the session's space
+    Pose hold;             ///< pose that a held tool follows: place of the grip, directions of grip or aim
     Pose aim;              ///< ray along -Z
     float trigger = 0;     ///< 0..1
     float squeeze = 0;     ///< 0..1

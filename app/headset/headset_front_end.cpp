@@ -90,7 +90,8 @@ void HeadsetFrontEnd::readHands(LessonSession& session, const Home& home, double
         hands_.forgetSteps();
     }
     changes_.takeParameters(parameters_, place_.zoom, hands_, session);
-    hands_.update(input, workshop_, elapsed);
+    const bool weld = session.lesson().model == LessonModel::Weld;
+    hands_.update(input, workshop_, weld ? torchGeometry(session.lesson().process) : kPlainTorch, elapsed);
     if (panel_.pointingHand() == hands_.torchHand()) hands_.putOut(ArcOut::panel);
     changes_.takeTorch(hands_, session);
     view_.update(session, hands_.torch(), elapsed);
@@ -205,12 +206,13 @@ MenuRequest HeadsetFrontEnd::drawMenu(LessonSession& session, Home& home, const 
         xr::Headset& headset = *connection_.headset();
         const xr::Panel& panel = headset.panel();
         answer = menu_.draw(panel, panel_.pointer(), elapsed, session,
-                            {home, section_, warning(), hands_.tipReport(), figures});
+                            {home, section_, warning(), hands_.tipReport(), hands_.tipMeasured(), figures});
         headset.showPanel(workshop_.toSession(panel_.pose()));
     });
     if (answer.recentre) workshop_.requestRecentre();
     if (answer.measureTip) hands_.measureTip();
     if (answer.measureAxis) hands_.measureAxis();
+    if (answer.ownTip) hands_.useOwnTip();
     return answer.request;
 }
 

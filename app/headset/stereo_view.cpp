@@ -36,7 +36,7 @@ void StereoView::takeHands(const HeadsetHands& hands, const PanelPointer& panel)
     hands_ = {};
     hands_.torch = torch.known();
     hands_.tip = torch.tip();
-    hands_.grip = torch.grip();
+    hands_.holder = hands.holder();
     hands_.heat = torch.trigger();
     hands_.rod = hands.rod();
     if (panel.pointingHand()) {

@@ -1,5 +1,7 @@
 #include "app/headset/tracked_torch.hpp"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 
 namespace meltpool {
@@ -11,6 +13,16 @@ constexpr double kShortestFrame = 1.0 / 90;
 
 } // namespace
 
+TrackedHand HandPose::tracked() const {
+    return {hold.position, hold.orientation * glm::vec3(right ? 1 : -1, 0, 0), forearm, right};
+}
+
+HandPose handPose(const xr::HandInput& hand, const Workshop& workshop, bool right) {
+    constexpr float kDown = 0.25f; // share of the forearm's way that leads down
+    const glm::vec3 back = workshop.toWorkshop(hand.aim).orientation * glm::vec3(0, 0, 1);
+    return {workshop.toWorkshop(hand.hold), glm::normalize(back - glm::vec3(0, kDown, 0)), right};
+}
+
 void TrackedTorch::update(const xr::HandInput& hand, const xr::TipCalibration& calibration, const Workshop& workshop,
                           double elapsed) {
     if (!hand.tracked) lose(ArcOut::torchLost);
@@ -21,8 +33,7 @@ void TrackedTorch::update(const xr::HandInput& hand, const xr::TipCalibration& c
     velocity_ = glm::vec3(0.0f);
     trigger_ = lock_.pass(hand.trigger, hand.tracked);
     if (!hand.tracked) return;
-    grip_ = workshop.toWorkshop(hand.grip);
-    now_ = calibration.tip(grip_);
+    now_ = calibration.tip(workshop.toWorkshop(hand.grip));
     known_ = true;
     const float way = glm::distance(now_.position, before_.position);
     const bool jumps = way > kFastestHand * static_cast<float>(std::max(elapsed, kShortestFrame));

@@ -79,7 +79,7 @@ TEST_CASE("the hand holds the lesson's torch at its tip, and table, machine and 
     HandsView hands;
     hands.torch = true;
     hands.tip.position = {0.1f, 1.0f, 0.1f};
-    hands.grip.position = {0.05f, 1.15f, 0.2f};
+    hands.holder.hold.position = {0.05f, 1.15f, 0.2f};
     const size_t plain = scene.build(parameters, hands).size();
     CHECK(plain > 15); // includes the table
     CHECK(scene.fittings().empty());
@@ -91,7 +91,7 @@ TEST_CASE("the hand holds the lesson's torch at its tip, and table, machine and 
     REQUIRE(scene.fittings().size() > 15);
     float nearest = 1;
     for (const Solid& solid : scene.fittings())
-        nearest = std::min(nearest, glm::distance(glm::vec3(solid.toWorld[3]), hands.grip.position));
+        nearest = std::min(nearest, glm::distance(glm::vec3(solid.toWorld[3]), hands.holder.hold.position));
     CHECK(nearest < 0.05f); // the glove is near
     const size_t standing = scene.furniture().size();
     CHECK(standing > 20);
