@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <algorithm>
 #include <array>
 #include <numbers>
 #include <optional>
@@ -71,7 +72,6 @@ void StereoView::wearVisor(const LessonSession& session, SceneView& scene, const
 /// Adds torch and hands of the process, table, machine and holders, in a room with depth.
 void StereoView::furnish(LessonSession& session, const SceneView& lesson) {
     hands_.process = &session.lesson().process;
-    hands_.extension = session.run().arc().extension;
     if (!holdsRod(*hands_.process)) hands_.rod.reset();
     if (!session.picture().cut().shown()) hands_.holders = lesson.furniture.last(lesson.holderSolids);
     if (session.leader() == TorchLeader::path) {
@@ -80,12 +80,25 @@ void StereoView::furnish(LessonSession& session, const SceneView& lesson) {
     }
 }
 
-void StereoView::draw(LessonSession& session, const SceneView& lesson, const WorkpiecePlace& place,
-                      const Workshop& workshop, const xr::BothEyes& eyes, gl::Profiler* profiler) {
-    SceneView scene = lesson;
+/// Takes the state of wire, electrode and arc at the torch in the hand. On a workpiece that is shown larger, an
+/// electrode burns off as much faster as the hand must come down.
+void StereoView::takeArc(const LessonSession& session, const SceneView& scene, float zoom) {
     hands_.arcGlow.reset();
     if (scene.arc.intensity.g > 0)
         hands_.arcGlow = scene.arc.intensity / (std::numbers::pi_v<float> * scene.arc.radius * scene.arc.radius);
+    hands_.extension = hands_.burnt = 0;
+    if (session.lesson().model != LessonModel::Weld) return;
+    hands_.extension = session.run().arc().extension;
+    const auto whole = static_cast<float>(equipmentOf(session.lesson().process).electrodeLength);
+    if (whole <= 0 || hands_.extension <= 0) return;
+    hands_.burnt = std::min(zoom * (whole - hands_.extension), whole);
+    hands_.extension = std::max(whole - hands_.burnt, 1e-3f);
+}
+
+void StereoView::draw(LessonSession& session, const SceneView& lesson, const WorkpiecePlace& place,
+                      const Workshop& workshop, const xr::BothEyes& eyes, gl::Profiler* profiler) {
+    SceneView scene = lesson;
+    takeArc(session, scene, place.zoom);
     scene.modelToWorld = place.modelToWorkshop(kClassicUnit) * scene.modelToWorld;
     const bool demonstrated = session.leader() == TorchLeader::path;
     hands_.tools = demonstrated ? lesson.solids : lesson.solids.last(lesson.rodSolids);
@@ -96,6 +109,7 @@ void StereoView::draw(LessonSession& session, const SceneView& lesson, const Wor
     scene.solids = scene_.build(parameters_, hands_);
     scene.tableShown = true;
     scene.fittings = scene_.fittings();
+    scene.handsTracked = true;
     scene.furniture = scene_.furniture();
     scene.room.shown = lesson.room.shown && look.showSky;
     scene.room.toWorld = glm::translate(glm::mat4(1.0f), {0, -float(WORKSHOP_FLOOR), 0});

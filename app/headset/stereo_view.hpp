@@ -31,6 +31,7 @@ class StereoView {
               const xr::BothEyes& eyes, gl::Profiler* profiler);
 
   private:
+    void takeArc(const LessonSession& session, const SceneView& scene, float zoom);
     void furnish(LessonSession& session, const SceneView& lesson);
     void standCut(LessonSession& session, SceneView& scene) const;
     void wearVisor(const LessonSession& session, SceneView& scene, const View& between, LookParameters& look);

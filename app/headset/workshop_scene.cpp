@@ -55,11 +55,11 @@ void WorkshopScene::addRoom(float tableHeight) {
 
 void WorkshopScene::addTorch(const HandsView& hands) {
     const xr::Pose& tip = hands.tip; // +z of the tip points back along the torch
-    const auto along = [&](float z, float y) { return tip * glm::vec3(0, y, z); };
-    add(SolidShape::cone, alongLine(along(0.012f, 0), along(0.0f, 0), 0.006f), kTorchCopper, 0.7f);
-    add(SolidShape::cylinder, alongLine(along(0.05f, 0), along(0.012f, 0), 0.016f), kBrass, 0.6f);
-    const glm::vec3 neck = along(kPlainTorch.neck, 0);
-    add(SolidShape::cylinder, alongLine(neck, along(0.045f, 0), 0.013f), kDarkSteel, 0.4f);
+    const auto along = [&](float z) { return tip * glm::vec3(0, 0, z + hands.burnt); };
+    add(SolidShape::cone, alongLine(along(0.012f), along(0.0f), 0.006f), kTorchCopper, 0.7f);
+    add(SolidShape::cylinder, alongLine(along(0.05f), along(0.012f), 0.016f), kBrass, 0.6f);
+    const glm::vec3 neck = along(kPlainTorch.neck);
+    add(SolidShape::cylinder, alongLine(neck, along(0.045f), 0.013f), kDarkSteel, 0.4f);
     add(SolidShape::sphere, boxAt(neck, glm::vec3(0.016f)), kDarkSteel, 0.4f);
     // The handle runs from the neck through the hand, for any calibration.
     const glm::vec3 hand = hands.holder.hold.position;
@@ -71,7 +71,7 @@ void WorkshopScene::addTorch(const HandsView& hands) {
 
 void WorkshopScene::addGlow(const HandsView& hands) {
     if (hands.heat > 0)
-        add(SolidShape::sphere, boxAt(hands.tip.position, glm::vec3(0.004f)), {1, 1, 1}, 0,
+        add(SolidShape::sphere, boxAt(hands.tip * glm::vec3(0, 0, hands.burnt), glm::vec3(0.004f)), {1, 1, 1}, 0,
             hands.arcGlow.value_or(kHeatGlow * hands.heat));
 }
 
@@ -88,6 +88,12 @@ void WorkshopScene::addProcessTorch(const HeadsetParameters& parameters, const H
     around.hand = hands.holder.tracked();
     around.cableEnd = kCableEnd + glm::vec3(0, parameters.tableHeight, 0);
     buildTorchFittings(fittings_, sample, *hands.process, around, glm::mat4(1.0f));
+}
+
+void WorkshopScene::addRodHand(const HandsView& hands) {
+    const xr::Pose& hold = hands.rod->hold;
+    const glm::vec3 way = hold.orientation * glm::vec3(0, 0, 1), end = hold * glm::vec3(0, 0, -kRodReach);
+    addGlovedHand(fittings_, rodGripOf(hands.rod->tracked(), way, end), glm::mat4(1.0f));
 }
 
 /// Table and machine are made again only when they change.
@@ -122,13 +128,7 @@ std::span<const Solid> WorkshopScene::build(const HeadsetParameters& parameters,
             addProcessTorch(parameters, hands);
         addGlow(hands);
     }
-    if (hands.rod && hands.process != nullptr) {
-        const xr::Pose& hold = hands.rod->hold;
-        addGlovedHand(
-            fittings_,
-            rodGripOf(hands.rod->tracked(), hold.orientation * glm::vec3(0, 0, 1), hold * glm::vec3(0, 0, -kRodReach)),
-            glm::mat4(1.0f));
-    }
+    if (hands.rod && hands.process != nullptr) addRodHand(hands);
     for (Solid fitting : hands.toolFittings) {
         fitting.toWorld = hands.toolsToWorkshop * fitting.toWorld;
         fittings_.push_back(fitting);
