@@ -106,6 +106,9 @@ void StereoView::draw(LessonSession& session, const SceneView& lesson, const Wor
     LookParameters look = session.picture().look();
     const bool fine = has(look, DetailFeature::room) && lesson.room.shown; // only weld lessons have a room
     if (fine) furnish(session, lesson);
+    const xr::Pose head = workshop.toWorkshop(xr::interpolate(eyes.views[0].pose, eyes.views[1].pose, 0.5f));
+    hands_.holder.forearm = forearmFrom(head, hands_.holder);
+    if (hands_.rod) hands_.rod->forearm = forearmFrom(head, *hands_.rod);
     scene.solids = scene_.build(parameters_, hands_);
     scene.tableShown = true;
     scene.fittings = scene_.fittings();

@@ -26,6 +26,10 @@ struct HandPose {
 /// down.
 HandPose handPose(const xr::HandInput& hand, const Workshop& workshop, bool right);
 
+/// Returns the forearm's direction for a head there: the elbow is where an arm of usual lengths from the shoulder has
+/// it, on the side to which HandPose::forearm leads.
+glm::vec3 forearmFrom(const xr::Pose& head, const HandPose& hand);
+
 class TrackedTorch {
   public:
     /// Fastest tip in the workshop, m/s. Welding hands move at up to 0.2 m/s, fast reaching ones peak at 3 m/s; a
