@@ -30,7 +30,7 @@ CalibrationFile::CalibrationFile(std::filesystem::path file) : file_(std::move(f
     measured_ = true;
 }
 
-std::string CalibrationFile::keep(const xr::TipCalibration& tip, const xr::TipCalibration& before) {
+std::string CalibrationFile::keep(const xr::TipCalibration& tip, xr::TipCalibration before) {
     tip_ = tip;
     measured_ = true;
     try {

@@ -22,7 +22,7 @@ class CalibrationFile {
     const xr::TipCalibration& tip() const { return tip_; }
     /// Uses `tip` from now on and writes the file. A place or direction that is equal to `before` was not measured; it
     /// is the file's current one, which another program may have measured. Returns the fault of the file; empty: none.
-    std::string keep(const xr::TipCalibration& tip, const xr::TipCalibration& before);
+    std::string keep(const xr::TipCalibration& tip, xr::TipCalibration before);
     /// Forgets the measured tip and removes the file. Returns the fault of the file; empty: none.
     std::string forget();
 

@@ -330,7 +330,7 @@ TEST_CASE("measuring finds tip and direction of a torch on whatever holds it, an
         while (measuring.underWay() && time < 60) {
             torch.grip = poseAt(time);
             const auto found = measuring.gather(torch, calibration.tip(), 1.0 / 90);
-            if (found) measuring.kept(calibration.keep(*found));
+            if (found) measuring.kept(calibration.keep(*found, calibration.tip()));
             time += 1.0 / 90;
         }
         return time;
@@ -364,10 +364,18 @@ TEST_CASE("measuring finds tip and direction of a torch on whatever holds it, an
     elsewhere.offset.x += 0.01f;
     xr::TipCalibration turned = calibration.tip();
     turned.pointAlong({0, 0, 1});
-    CHECK(calibration.keep(turned).empty());
-    CHECK(other.keep(elsewhere).empty());
+    CHECK(calibration.keep(turned, calibration.tip()).empty());
+    CHECK(other.keep(elsewhere, other.tip()).empty());
     CHECK(xr::readCalibration(file).offset == elsewhere.offset);
     CHECK(glm::distance(other.tip().orientation * glm::vec3(0, 0, -1), glm::vec3(0, 0, 1)) < 1e-4f);
-    CHECK(calibration.keep(kept).empty());
+    CHECK(calibration.keep(kept, calibration.tip()).empty());
     CHECK(glm::distance(xr::readCalibration(file).offset, elsewhere.offset) < 1e-6f); // not measured by this program
+    CHECK(calibration.measured());
+    measuring.begin(TipMeasuring::Task::axis);
+    measuring.forgotten(calibration.forget());
+    CHECK_FALSE(measuring.underWay());
+    CHECK_THAT(measuring.report(), test::containsText("its own tip"));
+    CHECK_FALSE(calibration.measured());
+    CHECK_FALSE(std::filesystem::exists(file));
+    CHECK_FALSE(CalibrationFile(file).measured());
 }

@@ -2,10 +2,12 @@
 // hands.
 #pragma once
 
+#include "core/scene/torch_geometry.hpp"
 #include "tests/xr/trainer_process.hpp"
 
 #include <functional>
 #include <optional>
+#include <string_view>
 
 namespace meltpool::test {
 
@@ -31,6 +33,7 @@ struct Trainee {
     float tableHeight = 0.9f;                ///< m, from the settings
     float tableTop = 0.9f;                   ///< m, in the session's space
     float bottom = -0.04f;                   ///< lowest place of the lesson's box in the workpiece's frame, m
+    TorchGeometry torch = kPlainTorch;       ///< the lesson's torch, whose own tip counts
     glm::quat held = glm::angleAxis(-0.8f, glm::vec3(1, 0, 0)); ///< the torch's orientation
 
     /// Puts both hands next to the table, the torch's away from the metal.
@@ -38,6 +41,8 @@ struct Trainee {
 
     /// Converts from the workpiece's frame (m) to the session's space.
     glm::vec3 inRoom(const glm::vec3& place) const;
+    /// Takes the torch of a process into the hand, by the process's name in lessons.
+    void take(std::string_view process);
     /// Looks down at the workpiece; the first look, straight ahead, places the workshop.
     void lookDown();
     /// Holds the torch's tip at a place of the workpiece's frame.
