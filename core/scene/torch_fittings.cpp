@@ -51,7 +51,7 @@ class Builder {
     /// Returns the end of the bend.
     glm::vec3 bent() const {
         const glm::vec3 corner = at(geometry_.neck);
-        if (geometry_.bendRadius <= 0) return corner;
+        if (!round_) return corner;
         const glm::vec3 z = -torch_.axis(), x = acrossTo(z, towards_, {1, 0, 0});
         return corner + geometry_.bendRadius * (x * (1 - std::cos(kBendAngle)) + z * std::sin(kBendAngle));
     }
@@ -65,9 +65,13 @@ class Builder {
         rod(at(from), at(to), width, colour, gloss, shape);
     }
 
-    /// Adds the round neck that leads to the way of the handle.
+    /// Adds the round neck that leads to the way of the handle, or the corner in its place.
     void bend(const glm::vec3& colour, float gloss) {
         const float width = geometry_.bendRadius / kBendRadius;
+        if (!round_) {
+            solids_.push_back({SolidShape::sphere, toWorld_ * boxAt(bent(), glm::vec3(width)), colour, gloss});
+            return;
+        }
         const glm::vec3 z = -torch_.axis(), x = acrossTo(z, towards_, {1, 0, 0}), y = glm::cross(z, x);
         const glm::mat4 place{glm::vec4(x * width, 0), glm::vec4(y * width, 0), glm::vec4(z * width, 0),
                               glm::vec4(at(geometry_.neck), 1)};
@@ -116,12 +120,15 @@ class Builder {
     /// Turns neck and handle to a hand at `place`.
     void followHand(const glm::vec3& place) {
         constexpr float kShortest = 0.3f; // share of the neck that a measured tip leaves at least
+        constexpr float kNearlyStraight = 0.87f; // cosine of the way to the hand with the axis
         const glm::vec3 back = -torch_.axis();
         const float behind = glm::dot(place - torch_.tip, back);
         const float bent = geometry_.neck + geometry_.bendRadius * std::sin(geometry_.bend);
         if (behind < bent && bent > geometry_.reach)
             shrink_ = std::clamp((behind - geometry_.reach) / (bent - geometry_.reach), kShortest, 1.0f);
         towards_ = place - at(geometry_.neck);
+        const bool straight = glm::dot(towards_, back) > kNearlyStraight * glm::length(towards_);
+        round_ = round_ && shrink_ == 1 && !straight;
         const glm::vec3 toHand = place - this->bent();
         const float far = glm::length(toHand);
         const bool backwards = glm::dot(toHand, back) < -0.3f * far;
@@ -141,6 +148,7 @@ class Builder {
     glm::vec3 begin_{0.0f};       ///< beginning of the handle
     float lead_ = geometry_.lead; ///< m, from the end of the bend to there
     float shrink_ = 1;            ///< share of its length with which the torch is drawn
+    bool round_ = geometry_.bendRadius > 0; ///< the neck is bent, not a corner
 };
 
 void addWireTorch(Builder& add, float stickOut) {
