@@ -41,8 +41,8 @@ AxisResult solveAxis(std::span<const Pose> poses, const glm::vec3& down = {0, -1
 
 /// The pose of a torch's tip in the grip's frame; its -Z is the torch's axis.
 struct TipCalibration {
-    glm::vec3 offset{0.0f, 0.0f, -0.12f}; ///< m, in the grip's frame
-    glm::quat orientation{1, 0, 0, 0};    ///< orientation of the tip pose in the grip's frame
+    glm::vec3 offset{0.0f};            ///< m, in the grip's frame
+    glm::quat orientation{1, 0, 0, 0}; ///< orientation of the tip pose in the grip's frame
     float residualMm = 0;
 
     /// Turns the torch's axis to this unit vector of the grip's frame by the smallest rotation.

@@ -49,7 +49,7 @@ void benchStereo(Bench& bench) {
     HandsView hands;
     hands.torch = true;
     hands.tip.position = {0.1f, 1.15f, 0.1f};
-    hands.grip.position = {0.12f, 1.25f, 0.2f};
+    hands.holder.hold.position = {0.12f, 1.25f, 0.2f};
     SceneView scene = shown.view();
     scene.modelToWorld =
         WorkpiecePlace(parameters.tableHeight, parameters.zoom, -kWorldUnit).modelToWorkshop(kWorldUnit) *

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace meltpool {
 
@@ -90,7 +91,8 @@ void HeadsetFrontEnd::readHands(LessonSession& session, const Home& home, double
         hands_.forgetSteps();
     }
     changes_.takeParameters(parameters_, place_.zoom, hands_, session);
-    hands_.update(input, workshop_, elapsed);
+    const bool weld = session.lesson().model == LessonModel::Weld;
+    hands_.update(input, workshop_, weld ? torchGeometry(session.lesson().process) : kPlainTorch, elapsed);
     if (panel_.pointingHand() == hands_.torchHand()) hands_.putOut(ArcOut::panel);
     changes_.takeTorch(hands_, session);
     view_.update(session, hands_.torch(), elapsed);
@@ -119,6 +121,21 @@ void HeadsetFrontEnd::askAgain(const LessonSession& session, const xr::Input& in
     otherPulled_ = pulled;
 }
 
+/// Returns true if a hand has moved since the last call, or presses something.
+bool HeadsetFrontEnd::handsAct(const xr::Input& input) {
+    constexpr float kMoves = 0.003f; // m
+    bool acts = false;
+    for (const xr::Hand which : {xr::Hand::left, xr::Hand::right}) {
+        const xr::HandInput& hand = input.hand(which);
+        if (!hand.tracked) continue;
+        glm::vec3& last = handPlaces_[size_t(which)];
+        acts = acts || glm::distance(hand.grip.position, last) > kMoves || hand.trigger > 0.1f || hand.menu ||
+               hand.recentre || std::abs(hand.scrollX) + std::abs(hand.scrollY) > 0.2f;
+        last = hand.grip.position;
+    }
+    return acts;
+}
+
 /// Places the workshop in front of the person where that is due, but never while the hand's arc burns.
 void HeadsetFrontEnd::placeWorkshop(LessonSession& session, double elapsed) {
     xr::Headset& headset = *connection_.headset();
@@ -130,6 +147,7 @@ void HeadsetFrontEnd::placeWorkshop(LessonSession& session, double elapsed) {
     if (drawn_) person.head = middle(headset.views());
     person.worn = headset.news().worn;
     person.spaceMoved = headset.news().spaceMoved;
+    person.handsAct = handsAct(input);
     person.buttonHeld = input.hand(xr::Hand::left).recentre || input.hand(xr::Hand::right).recentre;
     placing_.update(person, workshop_, elapsed);
     if (!placing_.due() || hands_.torch().trigger() > 0) return;
@@ -218,12 +236,13 @@ MenuRequest HeadsetFrontEnd::drawMenu(LessonSession& session, Home& home, const 
         xr::Headset& headset = *connection_.headset();
         const xr::Panel& panel = headset.panel();
         answer = menu_.draw(panel, panel_.pointer(), elapsed, session,
-                            {home, section_, warning(), hands_.tipReport(), figures});
+                            {home, section_, warning(), hands_.tipReport(), hands_.tipMeasured(), figures});
         headset.showPanel(workshop_.toSession(panel_.pose()));
     });
     if (answer.recentre) placing_.request();
     if (answer.measureTip) hands_.measureTip();
     if (answer.measureAxis) hands_.measureAxis();
+    if (answer.ownTip) hands_.useOwnTip();
     return answer.request;
 }
 

@@ -13,6 +13,7 @@
 #include "app/session/window_headset.hpp"
 #include "xr/headset_connection.hpp"
 
+#include <array>
 #include <chrono>
 #include <filesystem>
 #include <string>
@@ -49,6 +50,7 @@ class HeadsetFrontEnd final : public WindowHeadset {
     void showResult(const LessonSession& session);
     void askAgain(const LessonSession& session, const xr::Input& input);
     void placeWorkshop(LessonSession& session, double elapsed);
+    bool handsAct(const xr::Input& input);
     bool leadsTorch() const { return inFrame_ && changes_.lessonRuns() && hands_.torch().known(); }
     void drawEyes(LessonSession& session, double elapsed, gl::Profiler* profiler);
     void recordPerson(LessonSession& session);
@@ -61,6 +63,7 @@ class HeadsetFrontEnd final : public WindowHeadset {
     xr::HeadsetConnection connection_;
     Workshop workshop_;
     WorkshopPlacing placing_;
+    std::array<glm::vec3, 2> handPlaces_{}; ///< grips in the last frame, session space
     WorkpiecePlace place_;
     HeadsetHands hands_;
     HeadsetChanges changes_;

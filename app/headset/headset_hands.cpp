@@ -5,6 +5,16 @@
 
 namespace meltpool {
 
+namespace {
+
+/// Returns the tip of a torch of these lengths in the frame of the hand's grip: its handle runs through the hold.
+xr::TipCalibration ownTip(const TorchGeometry& geometry, const xr::HandInput& hand) {
+    const xr::Pose inGrip = hand.grip.inverse() * hand.hold * xr::Pose{geometry.tipOrientation(), geometry.tip()};
+    return {inGrip.position, inGrip.orientation, 0};
+}
+
+} // namespace
+
 HeadsetHands::HeadsetHands(const HeadsetParameters& parameters, const std::filesystem::path& folder)
     : parameters_(parameters),
       calibrations_{CalibrationFile(folder / "torch-tip.txt"), CalibrationFile(folder / "torch-tip-tracker.txt")} {}
@@ -13,21 +23,31 @@ xr::Hand HeadsetHands::torchHand() const {
     return parameters_.hand == HeadsetParameters::kLeft ? xr::Hand::left : xr::Hand::right;
 }
 
-void HeadsetHands::update(const xr::Input& input, const Workshop& workshop, double elapsed) {
-    updateTorch(input, workshop, elapsed);
-    const xr::HandInput& other = input.hand(torchHand() == xr::Hand::right ? xr::Hand::left : xr::Hand::right);
-    rod_ = other.tracked ? std::optional(workshop.toWorkshop(other.grip)) : std::nullopt;
+void HeadsetHands::update(const xr::Input& input, const Workshop& workshop, const TorchGeometry& geometry,
+                          double elapsed) {
+    updateTorch(input, workshop, geometry, elapsed);
+    const bool right = torchHand() == xr::Hand::right;
+    const xr::HandInput& other = input.hand(right ? xr::Hand::left : xr::Hand::right);
+    rod_ = other.tracked ? std::optional(handPose(other, workshop, !right)) : std::nullopt;
     if (measuring_.underWay()) putOut(ArcOut::measuring);
 }
 
-void HeadsetHands::updateTorch(const xr::Input& input, const Workshop& workshop, double elapsed) {
+void HeadsetHands::updateTorch(const xr::Input& input, const Workshop& workshop, const TorchGeometry& geometry,
+                               double elapsed) {
     const bool onTracker = parameters_.torchOn == HeadsetParameters::kTracker;
     selector_.update(onTracker, input.hand(torchHand()), input.trackers(), elapsed);
     if (selector_.changed()) putOut(ArcOut::holderChanged);
     CalibrationFile& calibration = calibrations_[size_t(selector_.holder())];
-    torch_.update(selector_.torch(), calibration.tip(), workshop, elapsed);
-    if (const auto measured = measuring_.gather(selector_.torch(), calibration.tip(), elapsed))
-        measuring_.kept(calibration.keep(*measured));
+    const xr::HandInput& torch = selector_.torch();
+    const xr::TipCalibration tip = calibration.measured() ? calibration.tip() : ownTip(geometry, torch);
+    torch_.update(torch, tip, workshop, elapsed);
+    if (torch.tracked) holder_ = handPose(torch, workshop, torchHand() == xr::Hand::right);
+    if (const auto measured = measuring_.gather(torch, tip, elapsed)) measuring_.kept(calibration.keep(*measured, tip));
+}
+
+void HeadsetHands::useOwnTip() {
+    putOut(ArcOut::measuring);
+    measuring_.forgotten(calibrations_[size_t(selector_.holder())].forget());
 }
 
 TorchSample HeadsetHands::sample(const WorkpiecePlace& place) const {
@@ -40,8 +60,8 @@ TorchSample HeadsetHands::next(const WorkpiecePlace& place, int step, int steps)
 
 TorchSample HeadsetHands::withRod(TorchSample sample, const WorkpiecePlace& place) const {
     if (rod_) {
-        const glm::vec3 tip = *rod_ * glm::vec3(0, 0, -WorkshopScene::kRodReach);
-        sample.rod = RodSample{place.toWorkpiece(tip), place.toWorkpiece(glm::normalize(rod_->orientation))};
+        const glm::vec3 tip = rod_->hold * glm::vec3(0, 0, -WorkshopScene::kRodReach);
+        sample.rod = RodSample{place.toWorkpiece(tip), place.toWorkpiece(glm::normalize(rod_->hold.orientation))};
     }
     return sample;
 }

@@ -5,6 +5,7 @@
 #include "app/headset/tip_measuring.hpp"
 #include "app/headset/torch_selector.hpp"
 #include "app/headset/tracked_torch.hpp"
+#include "core/scene/torch_geometry.hpp"
 
 #include <array>
 #include <filesystem>
@@ -20,8 +21,9 @@ class HeadsetHands {
     /// they exist; new measurements are written there. Throws InputError for a broken file.
     HeadsetHands(const HeadsetParameters& parameters, const std::filesystem::path& folder);
 
-    /// Takes the frame's controllers and trackers. `elapsed`: real seconds since the last frame.
-    void update(const xr::Input& input, const Workshop& workshop, double elapsed);
+    /// Takes the frame's controllers and trackers. `geometry`: of the lesson's torch, whose tip counts until another is
+    /// measured. `elapsed`: real seconds since the last frame.
+    void update(const xr::Input& input, const Workshop& workshop, const TorchGeometry& geometry, double elapsed);
     /// Puts the arc out until the trigger is released.
     void putOut(ArcOut reason) { torch_.putOut(reason); }
     /// Forgets the controllers, which puts the arc out.
@@ -30,8 +32,10 @@ class HeadsetHands {
     void forgetSteps() { torch_.forgetSample(); }
 
     const TrackedTorch& torch() const { return torch_; }
-    /// Grip of the hand that holds the filler rod, in the workshop; empty while it is not tracked.
-    const std::optional<xr::Pose>& rod() const { return rod_; }
+    /// Hand that holds the torch, where it was last tracked.
+    const HandPose& holder() const { return holder_; }
+    /// Hand that holds the filler rod; empty while it is not tracked.
+    const std::optional<HandPose>& rod() const { return rod_; }
     /// Hand that holds the torch, by the person's choice.
     xr::Hand torchHand() const;
     /// Selector of the device that carries the torch's pose.
@@ -43,13 +47,17 @@ class HeadsetHands {
 
     void measureTip() { measuring_.begin(TipMeasuring::Task::pivot); }
     void measureAxis() { measuring_.begin(TipMeasuring::Task::axis); }
+    /// Returns true if the tip in use was measured: it is then the same for all torches.
+    bool tipMeasured() const { return calibrations_[size_t(selector_.holder())].measured(); }
+    /// Forgets the measured tip and its file: the lesson's torch has its own again.
+    void useOwnTip();
     /// Instruction or result of the measuring; empty if no measuring was requested.
     std::string tipReport() const { return measuring_.report(); }
     /// Reason why the arc cannot burn; empty while the torch is tracked.
     std::string_view warning() const;
 
   private:
-    void updateTorch(const xr::Input& input, const Workshop& workshop, double elapsed);
+    void updateTorch(const xr::Input& input, const Workshop& workshop, const TorchGeometry& geometry, double elapsed);
     TorchSample withRod(TorchSample sample, const WorkpiecePlace& place) const;
 
     const HeadsetParameters& parameters_;
@@ -57,7 +65,8 @@ class HeadsetHands {
     TipMeasuring measuring_;
     TorchSelector selector_;
     TrackedTorch torch_;
-    std::optional<xr::Pose> rod_; ///< grip of the other hand in the workshop, empty while it is not tracked
+    HandPose holder_;
+    std::optional<HandPose> rod_; ///< the other hand, empty while it is not tracked
 };
 
 } // namespace meltpool

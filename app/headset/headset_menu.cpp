@@ -103,6 +103,7 @@ void HeadsetMenu::headsetPage(ui::Context& context, const HeadsetMenuContent& co
     answer_.measureTip = plainButton(context, "headset.tip", "headset.button.tip", 200);
     ImGui::SameLine();
     answer_.measureAxis = plainButton(context, "headset.axis", "headset.button.axis", 160);
+    if (content.tipMeasured) answer_.ownTip = plainButton(context, "headset.own_tip", "headset.button.own_tip", 200);
     if (!content.tipReport.empty()) ui::quietText(context, content.tipReport);
 }
 

@@ -19,6 +19,7 @@ struct HeadsetMenuContent {
     const ParameterSection& section; ///< the headset's own parameters
     std::string_view warning;        ///< empty: none
     std::string tipReport;           ///< report of the torch's measuring; empty: none
+    bool tipMeasured = false;        ///< a measured tip is in use
     const LessonFigures& figures;
 };
 
@@ -28,6 +29,7 @@ struct HeadsetMenuAnswer {
     bool recentre = false;
     bool measureTip = false;
     bool measureAxis = false;
+    bool ownTip = false; ///< forget the measured tip
 };
 
 class HeadsetMenu {

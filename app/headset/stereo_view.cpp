@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <algorithm>
 #include <array>
 #include <numbers>
 #include <optional>
@@ -36,7 +37,7 @@ void StereoView::takeHands(const HeadsetHands& hands, const PanelPointer& panel)
     hands_ = {};
     hands_.torch = torch.known();
     hands_.tip = torch.tip();
-    hands_.grip = torch.grip();
+    hands_.holder = hands.holder();
     hands_.heat = torch.trigger();
     hands_.rod = hands.rod();
     if (panel.pointingHand()) {
@@ -71,7 +72,6 @@ void StereoView::wearVisor(const LessonSession& session, SceneView& scene, const
 /// Adds torch and hands of the process, table, machine and holders, in a room with depth.
 void StereoView::furnish(LessonSession& session, const SceneView& lesson, const WorkpiecePlace& place) {
     hands_.process = &session.lesson().process;
-    hands_.extension = session.run().arc().extension;
     if (!holdsRod(*hands_.process)) hands_.rod.reset();
     holders_.clear();
     // The zoom enlarges the holders with the workpiece.
@@ -83,12 +83,25 @@ void StereoView::furnish(LessonSession& session, const SceneView& lesson, const 
     }
 }
 
-void StereoView::draw(LessonSession& session, const SceneView& lesson, const WorkpiecePlace& place,
-                      const Workshop& workshop, const xr::BothEyes& eyes, gl::Profiler* profiler) {
-    SceneView scene = lesson;
+/// Takes the state of wire, electrode and arc at the torch in the hand. On a workpiece that is shown larger, an
+/// electrode burns off as much faster as the hand must come down.
+void StereoView::takeArc(const LessonSession& session, const SceneView& scene, float zoom) {
     hands_.arcGlow.reset();
     if (scene.arc.intensity.g > 0)
         hands_.arcGlow = scene.arc.intensity / (std::numbers::pi_v<float> * scene.arc.radius * scene.arc.radius);
+    hands_.extension = hands_.burnt = 0;
+    if (session.lesson().model != LessonModel::Weld) return;
+    hands_.extension = session.run().arc().extension;
+    const auto whole = static_cast<float>(equipmentOf(session.lesson().process).electrodeLength);
+    if (whole <= 0 || hands_.extension <= 0) return;
+    hands_.burnt = std::min(zoom * (whole - hands_.extension), whole);
+    hands_.extension = std::max(whole - hands_.burnt, 1e-3f);
+}
+
+void StereoView::draw(LessonSession& session, const SceneView& lesson, const WorkpiecePlace& place,
+                      const Workshop& workshop, const xr::BothEyes& eyes, gl::Profiler* profiler) {
+    SceneView scene = lesson;
+    takeArc(session, scene, place.zoom);
     scene.modelToWorld = place.modelToWorkshop(kClassicUnit) * scene.modelToWorld;
     const bool demonstrated = session.leader() == TorchLeader::path;
     hands_.tools = demonstrated ? lesson.solids : lesson.solids.last(lesson.rodSolids);
@@ -96,9 +109,13 @@ void StereoView::draw(LessonSession& session, const SceneView& lesson, const Wor
     LookParameters look = session.picture().look();
     const bool fine = has(look, DetailFeature::room) && lesson.room.shown; // only weld lessons have a room
     if (fine) furnish(session, lesson, place);
+    const xr::Pose head = workshop.toWorkshop(xr::interpolate(eyes.views[0].pose, eyes.views[1].pose, 0.5f));
+    hands_.holder.forearm = forearmFrom(head, hands_.holder);
+    if (hands_.rod) hands_.rod->forearm = forearmFrom(head, *hands_.rod);
     scene.solids = scene_.build(parameters_, hands_);
     scene.tableShown = true;
     scene.fittings = scene_.fittings();
+    scene.handsTracked = true;
     scene.furniture = scene_.furniture();
     scene.room.shown = lesson.room.shown && look.showSky;
     scene.room.toWorld = glm::translate(glm::mat4(1.0f), {0, -float(WORKSHOP_FLOOR), 0});

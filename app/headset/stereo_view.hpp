@@ -33,6 +33,7 @@ class StereoView {
               const xr::BothEyes& eyes, gl::Profiler* profiler);
 
   private:
+    void takeArc(const LessonSession& session, const SceneView& scene, float zoom);
     void furnish(LessonSession& session, const SceneView& lesson, const WorkpiecePlace& place);
     void standCut(LessonSession& session, SceneView& scene) const;
     void wearVisor(const LessonSession& session, SceneView& scene, const View& between, LookParameters& look);

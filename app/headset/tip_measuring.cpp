@@ -25,11 +25,14 @@ PhraseNumber decimals(float value, int digits) {
 } // namespace
 
 CalibrationFile::CalibrationFile(std::filesystem::path file) : file_(std::move(file)) {
-    if (std::filesystem::exists(file_)) tip_ = xr::readCalibration(file_);
+    if (!std::filesystem::exists(file_)) return;
+    tip_ = xr::readCalibration(file_);
+    measured_ = true;
 }
 
-std::string CalibrationFile::keep(const xr::TipCalibration& tip) {
-    const xr::TipCalibration before = std::exchange(tip_, tip);
+std::string CalibrationFile::keep(const xr::TipCalibration& tip, xr::TipCalibration before) {
+    tip_ = tip;
+    measured_ = true;
     try {
         const FileTurn turn(file_);
         xr::TipCalibration written = tip;
@@ -43,6 +46,17 @@ std::string CalibrationFile::keep(const xr::TipCalibration& tip) {
         }
         xr::writeCalibration(file_, written);
         tip_ = written;
+    } catch (const std::exception& fault) {
+        return fault.what();
+    }
+    return {};
+}
+
+std::string CalibrationFile::forget() {
+    measured_ = false;
+    try {
+        const FileTurn turn(file_);
+        std::filesystem::remove(file_);
     } catch (const std::exception& fault) {
         return fault.what();
     }
@@ -94,6 +108,12 @@ std::optional<xr::TipCalibration> TipMeasuring::finish(xr::TipCalibration tip) {
 
 void TipMeasuring::kept(const std::string& fault) {
     if (!fault.empty()) found_ += " " + phrase("headset.tip.not_kept", {{"reason", fault}});
+}
+
+void TipMeasuring::forgotten(const std::string& fault) {
+    left_ = 0;
+    found_ = phrase("headset.tip.own");
+    kept(fault);
 }
 
 std::string TipMeasuring::report() const {

@@ -17,14 +17,19 @@ class CalibrationFile {
     /// Reads the file if it exists. Throws InputError for a broken one.
     explicit CalibrationFile(std::filesystem::path file);
 
+    /// Returns false if there is no measured tip.
+    bool measured() const { return measured_; }
     const xr::TipCalibration& tip() const { return tip_; }
-    /// Uses `tip` from now on and writes the file. The unmeasured place or direction is the file's current one, which
-    /// another program may have measured. Returns the fault of the file; empty: none.
-    std::string keep(const xr::TipCalibration& tip);
+    /// Uses `tip` from now on and writes the file. A place or direction that is equal to `before` was not measured; it
+    /// is the file's current one, which another program may have measured. Returns the fault of the file; empty: none.
+    std::string keep(const xr::TipCalibration& tip, xr::TipCalibration before);
+    /// Forgets the measured tip and removes the file. Returns the fault of the file; empty: none.
+    std::string forget();
 
   private:
     std::filesystem::path file_;
     xr::TipCalibration tip_;
+    bool measured_ = false;
 };
 
 class TipMeasuring {
@@ -42,6 +47,8 @@ class TipMeasuring {
     std::optional<xr::TipCalibration> gather(const xr::HandInput& torch, const xr::TipCalibration& now, double elapsed);
     /// Adds the fault of writing the file to the report; an empty `fault` adds nothing.
     void kept(const std::string& fault);
+    /// Ends a measurement: the torch's own tip is used again. `fault`: of removing the file; empty: none.
+    void forgotten(const std::string& fault);
 
     /// Sentence for the person: task and remaining time, then the result.
     std::string report() const;

@@ -29,7 +29,7 @@ void TorchSelector::update(bool wanted, const xr::HandInput& hand, std::span<con
         const xr::TrackerInput& tracker = trackers[tracker_];
         torch_.present = true;
         torch_.tracked = tracker.tracked;
-        torch_.grip = tracker.pose;
+        torch_.grip = torch_.hold = tracker.pose;
         torch_.trigger = std::max(tracker.trigger, hand.trigger);
     }
 }

@@ -1,6 +1,9 @@
 #include "app/headset/tracked_torch.hpp"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
+#include <cmath>
 
 namespace meltpool {
 
@@ -10,6 +13,35 @@ namespace {
 constexpr double kShortestFrame = 1.0 / 90;
 
 } // namespace
+
+TrackedHand HandPose::tracked() const {
+    return {hold.position, hold.orientation * glm::vec3(right ? 1 : -1, 0, 0), forearm, right};
+}
+
+HandPose handPose(const xr::HandInput& hand, const Workshop& workshop, bool right) {
+    constexpr float kDown = 0.25f; // share of the forearm's way that leads down
+    const glm::vec3 back = workshop.toWorkshop(hand.aim).orientation * glm::vec3(0, 0, 1);
+    return {workshop.toWorkshop(hand.hold), glm::normalize(back - glm::vec3(0, kDown, 0)), right};
+}
+
+glm::vec3 forearmFrom(const xr::Pose& head, const HandPose& hand) {
+    constexpr glm::vec3 kShoulder(0.19f, -0.24f, 0.04f); // m from the eyes, of a right arm
+    constexpr float kUpperArm = 0.30f, kForearm = 0.29f;
+    const glm::vec3 side = head.orientation * glm::vec3(1, 0, 0), level(side.x, 0, side.z);
+    if (glm::length(level) < 0.1f) return hand.forearm; // the head lies on its side
+    const glm::vec3 right = glm::normalize(level), back = glm::cross(right, glm::vec3(0, 1, 0));
+    const glm::vec3 shoulder = head.position + right * (hand.right ? kShoulder.x : -kShoulder.x) +
+                               glm::vec3(0, kShoulder.y, 0) + back * kShoulder.z;
+    const glm::vec3 way = shoulder - hand.hold.position;
+    const float far = glm::length(way);
+    if (far < 0.05f) return hand.forearm;
+    const glm::vec3 line = way / far;
+    const glm::vec3 bends = hand.forearm - line * glm::dot(line, hand.forearm);
+    const float reach =
+        std::clamp((far * far + kForearm * kForearm - kUpperArm * kUpperArm) / (2 * far), 0.0f, kForearm);
+    const float out = std::sqrt(kForearm * kForearm - reach * reach), length = glm::length(bends);
+    return glm::normalize(line * reach + (length > 0.1f ? bends * (out / length) : glm::vec3(0)) + line * 1e-3f);
+}
 
 void TrackedTorch::update(const xr::HandInput& hand, const xr::TipCalibration& calibration, const Workshop& workshop,
                           double elapsed) {
@@ -21,8 +53,7 @@ void TrackedTorch::update(const xr::HandInput& hand, const xr::TipCalibration& c
     velocity_ = glm::vec3(0.0f);
     trigger_ = lock_.pass(hand.trigger, hand.tracked);
     if (!hand.tracked) return;
-    grip_ = workshop.toWorkshop(hand.grip);
-    now_ = calibration.tip(grip_);
+    now_ = calibration.tip(workshop.toWorkshop(hand.grip));
     known_ = true;
     const float way = glm::distance(now_.position, before_.position);
     const bool jumps = way > kFastestHand * static_cast<float>(std::max(elapsed, kShortestFrame));

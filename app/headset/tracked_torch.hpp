@@ -3,6 +3,7 @@
 
 #include "app/headset/workshop.hpp"
 #include "app/session/trigger_lock.hpp"
+#include "core/scene/gloved_hand.hpp"
 #include "core/weld/torch/torch_sample.hpp"
 #include "xr/input.hpp"
 #include "xr/pivot.hpp"
@@ -10,6 +11,24 @@
 #include <optional>
 
 namespace meltpool {
+
+/// A hand of the person, in the workshop.
+struct HandPose {
+    xr::Pose hold;              ///< see xr::HandInput::hold
+    glm::vec3 forearm{0, 0, 1}; ///< unit vector from the wrist to the elbow
+    bool right = false;
+
+    /// Returns the hand for drawing: its back is on the outer side of the hold.
+    TrackedHand tracked() const;
+};
+
+/// Returns the pose of a controller's hand. Nothing measures the forearm: it leads back from the pointer and a little
+/// down.
+HandPose handPose(const xr::HandInput& hand, const Workshop& workshop, bool right);
+
+/// Returns the forearm's direction for a head there: the elbow is where an arm of usual lengths from the shoulder has
+/// it, on the side to which HandPose::forearm leads.
+glm::vec3 forearmFrom(const xr::Pose& head, const HandPose& hand);
 
 class TrackedTorch {
   public:
@@ -35,8 +54,6 @@ class TrackedTorch {
     bool known() const { return known_; }
     /// Tip in the workshop, for drawing.
     const xr::Pose& tip() const { return now_; }
-    /// Grip in the workshop.
-    const xr::Pose& grip() const { return grip_; }
     float trigger() const { return tracked_ && !lock_.locked() ? trigger_ : 0.0f; }
     const TriggerLock& triggerLock() const { return lock_; }
     /// Velocity in the workshop, m/s.
@@ -54,7 +71,6 @@ class TrackedTorch {
 
     xr::Pose before_;
     xr::Pose now_;
-    xr::Pose grip_;
     TriggerLock lock_;
     std::optional<TorchSample> last_; ///< torch of the last step
     float trigger_ = 0;

@@ -31,7 +31,7 @@ void WorkshopPlacing::update(const PersonInFrame& person, const Workshop& worksh
         waited_ = 0;
     }
     if (!person.head) return;
-    if (!knowsWorn_) takeRest(*person.head, elapsed);
+    if (!knowsWorn_) takeRest(person, elapsed);
     const glm::vec3 place = workshop.toWorkshop(*person.head).position;
     const bool farAway = glm::length(glm::vec2(place.x, place.z)) > kFarAway;
     const bool isCalm = calm(*person.head, elapsed);
@@ -54,14 +54,15 @@ void WorkshopPlacing::takeButton(bool held, double elapsed) {
 }
 
 /// Notes as put on a head that rested and moves.
-void WorkshopPlacing::takeRest(const xr::Pose& head, double elapsed) {
-    const bool still =
-        anchor_ && glm::distance(anchor_->position, head.position) < kStill && turnBetween(*anchor_, head) < kStillTurn;
+void WorkshopPlacing::takeRest(const PersonInFrame& person, double elapsed) {
+    const xr::Pose& head = *person.head;
+    const bool still = anchor_ && !person.handsAct && glm::distance(anchor_->position, head.position) < kStill &&
+                       turnBetween(*anchor_, head) < kStillTurn;
     if (still) {
         rested_ += elapsed;
         return;
     }
-    if (rested_ >= kRest) putOn_ = true;
+    if (rested_ >= kRest && !person.handsAct) putOn_ = true;
     anchor_ = head;
     rested_ = 0;
 }

@@ -2,6 +2,7 @@
 
 #include "core/scene/gloved_hand.hpp"
 #include "core/scene/torch_fittings.hpp"
+#include "core/scene/torch_geometry.hpp"
 #include "core/scene/torch_model.hpp"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -57,27 +58,27 @@ void WorkshopScene::addRoom(float tableHeight) {
 
 void WorkshopScene::addTorch(const HandsView& hands) {
     const xr::Pose& tip = hands.tip; // +z of the tip points back along the torch
-    const auto along = [&](float z, float y) { return tip * glm::vec3(0, y, z); };
-    add(SolidShape::cone, alongLine(along(0.012f, 0), along(0.0f, 0), 0.006f), kTorchCopper, 0.7f);
-    add(SolidShape::cylinder, alongLine(along(0.05f, 0), along(0.012f, 0), 0.016f), kBrass, 0.6f);
-    add(SolidShape::cylinder, alongLine(along(0.085f, 0.012f), along(0.045f, 0), 0.013f), kDarkSteel, 0.4f);
-    const glm::vec3 neck = along(0.083f, 0.012f);
+    const auto along = [&](float z) { return tip * glm::vec3(0, 0, z + hands.burnt); };
+    add(SolidShape::cone, alongLine(along(0.012f), along(0.0f), 0.006f), kTorchCopper, 0.7f);
+    add(SolidShape::cylinder, alongLine(along(0.05f), along(0.012f), 0.016f), kBrass, 0.6f);
+    const glm::vec3 neck = along(kPlainTorch.neck);
+    add(SolidShape::cylinder, alongLine(neck, along(0.045f), 0.013f), kDarkSteel, 0.4f);
     add(SolidShape::sphere, boxAt(neck, glm::vec3(0.016f)), kDarkSteel, 0.4f);
     // The handle runs from the neck through the hand, for any calibration.
-    const glm::vec3 hand = hands.grip.position;
+    const glm::vec3 hand = hands.holder.hold.position;
     const glm::vec3 way =
         glm::length(hand - neck) > 0.01f ? glm::normalize(hand - neck) : tip.orientation * glm::vec3(0, 0, 1);
-    add(SolidShape::cylinder, alongLine(hand + way * 0.07f, neck, 0.026f), kRubber, 0.25f);
+    add(SolidShape::cylinder, alongLine(hand + way * 0.07f, neck, kPlainTorch.handleWidth), kRubber, 0.25f);
     add(SolidShape::cylinder, alongLine(neck + way * 0.035f, neck + way * 0.02f, 0.029f), kSafetyRed, 0.4f);
 }
 
 void WorkshopScene::addGlow(const HandsView& hands) {
     if (hands.heat > 0)
-        add(SolidShape::sphere, boxAt(hands.tip.position, glm::vec3(0.004f)), {1, 1, 1}, 0,
+        add(SolidShape::sphere, boxAt(hands.tip * glm::vec3(0, 0, hands.burnt), glm::vec3(0.004f)), {1, 1, 1}, 0,
             hands.arcGlow.value_or(kHeatGlow * hands.heat));
 }
 
-/// Adds the process's own torch, whose handle runs through the hand, for any calibration.
+/// Adds the process's own torch, whose handle runs through the hand, for any calibration near its own tip.
 void WorkshopScene::addProcessTorch(const HeadsetParameters& parameters, const HandsView& hands) {
     TorchSample sample;
     sample.tip = hands.tip.position;
@@ -87,9 +88,15 @@ void WorkshopScene::addProcessTorch(const HeadsetParameters& parameters, const H
     buildTorchModel(torch_, sample, *hands.process, arc, glm::mat4(1.0f));
     solids_.insert(solids_.end(), torch_.begin(), torch_.end());
     TorchSurroundings around;
-    around.hand = hands.grip.position;
+    around.hand = hands.holder.tracked();
     around.cableEnd = kCableEnd + glm::vec3(0, parameters.tableHeight, -Workshop::kTableBack);
     buildTorchFittings(fittings_, sample, *hands.process, around, glm::mat4(1.0f));
+}
+
+void WorkshopScene::addRodHand(const HandsView& hands) {
+    const xr::Pose& hold = hands.rod->hold;
+    const glm::vec3 way = hold.orientation * glm::vec3(0, 0, 1), end = hold * glm::vec3(0, 0, -kRodReach);
+    addGlovedHand(fittings_, rodGripOf(hands.rod->tracked(), way, end), glm::mat4(1.0f));
 }
 
 /// Table and machine are made again only when they change.
@@ -124,11 +131,7 @@ std::span<const Solid> WorkshopScene::build(const HeadsetParameters& parameters,
             addProcessTorch(parameters, hands);
         addGlow(hands);
     }
-    if (hands.rod && hands.process != nullptr) {
-        const glm::vec3 along = hands.rod->orientation * glm::vec3(0, 0, 1);
-        const glm::vec3 palm = hands.rod->orientation * glm::vec3(-1, 0, 0); // palm of a left hand that is held out
-        addGlovedHand(fittings_, {hands.rod->position, along, palm, along, 0.004f}, glm::mat4(1.0f));
-    }
+    if (hands.rod && hands.process != nullptr) addRodHand(hands);
     for (Solid fitting : hands.toolFittings) {
         fitting.toWorld = hands.toolsToWorkshop * fitting.toWorld;
         fittings_.push_back(fitting);

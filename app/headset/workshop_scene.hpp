@@ -16,7 +16,7 @@ namespace meltpool {
 struct HandsView {
     bool torch = false;
     xr::Pose tip;
-    xr::Pose grip;
+    HandPose holder;                       ///< hand that holds the torch
     float heat = 0;                        ///< 0..1: brightness of the tip's glow
     std::optional<glm::vec3> arcGlow = {}; ///< light of the torch's arc; none: a small glow that follows the heat
     std::optional<glm::vec3> rayStart;     ///< start of the pointer's ray
@@ -26,7 +26,8 @@ struct HandsView {
     /// Process of the torch in the hand; null: a plain torch, on a plain table.
     const ProcessSettings* process = nullptr;
     float extension = 0;                 ///< m, of the wire or electrode, see ArcState; 0: the set length
-    std::optional<xr::Pose> rod;         ///< grip of the hand that holds the filler rod
+    float burnt = 0;                     ///< m of the electrode that have burnt off before `tip`
+    std::optional<HandPose> rod;         ///< hand that holds the filler rod
     std::span<const Solid> toolFittings; ///< fittings of `tools`, instead of the hands' own; in the lesson's world
     std::span<const Solid> holders;      ///< holders of the workpiece, in the lesson's world
 };
@@ -59,6 +60,7 @@ class WorkshopScene {
     void furnish(const HeadsetParameters& parameters, const HandsView& hands);
     void addRoom(float tableHeight);
     void addTorch(const HandsView& hands);
+    void addRodHand(const HandsView& hands);
     void add(SolidShape shape, const glm::mat4& toWorld, const glm::vec3& colour, float gloss,
              const glm::vec3& glow = glm::vec3(0.0f));
 

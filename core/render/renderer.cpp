@@ -280,7 +280,8 @@ void Renderer::Parts::gatherSolids(const SceneView& scene, const LookParameters&
         const Solid source = sourceSolid(scene.source, scene.modelToWorld);
         solids.gather({&source, 1});
     }
-    const bool fine = has(look, DetailFeature::fittings) && !scene.fittings.empty();
+    const DetailFeature shows = scene.handsTracked ? DetailFeature::room : DetailFeature::fittings;
+    const bool fine = has(look, shows) && !scene.fittings.empty();
     solids.gather(scene.solids, false, !fine);
     if (fine) gatherFittings(scene, views);
     // Furniture is left out without the room, and with a room that is not visible.

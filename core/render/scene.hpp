@@ -74,6 +74,7 @@ struct SceneView {
     std::span<const WorkpieceBlock> blocks; ///< model units; they block the arc's light from the solids behind them
     std::span<const Solid> solids;          ///< torch, table, clamps
     std::span<const Solid> fittings;        ///< finer solids of torch and hands, for high detail
+    bool handsTracked = false;              ///< a person's own hands are among them: medium detail shows them too
     WorkshopView room;                      ///< for detail that is not low; else, and from outside of it, the sky
     std::span<const Solid> furniture;       ///< things in the room other than the workpiece; drawn with it only
     float tableTop = -1e9f;                 ///< world height of the table among them

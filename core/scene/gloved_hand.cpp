@@ -2,6 +2,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace meltpool {
@@ -25,8 +26,31 @@ glm::mat4 framed(const glm::vec3& x, const glm::vec3& y, const glm::vec3& z, con
 
 } // namespace
 
+HandGrip gripOf(const TrackedHand& hand, const glm::vec3& way, const glm::vec3& tip, float radius) {
+    glm::vec3 palm = hand.back - way * glm::dot(way, hand.back);
+    if (glm::length(palm) < 0.1f) palm = glm::cross(way, hand.forearm);
+    const glm::vec3 away = hand.place - tip;
+    glm::vec3 arm = hand.forearm;
+    if (const float length = glm::length(away); length > 1e-3f) {
+        const glm::vec3 back = away / length;
+        arm -= back * std::min(glm::dot(arm, back), 0.0f);
+    }
+    // An arm straight towards the tip leaves along the handle.
+    arm = glm::length(arm) > 0.1f ? glm::normalize(arm) : way;
+    return {hand.place, way, glm::normalize(palm), arm, radius, hand.right};
+}
+
+HandGrip rodGripOf(const TrackedHand& hand, const glm::vec3& way, const glm::vec3& rodTip) {
+    constexpr float kCurled = 0.013f,
+                    kPinch = -1.9f; // m; rad from the back of the hand to where thumb and fingers meet
+    HandGrip grip = gripOf(hand, way, rodTip, kCurled);
+    const glm::vec3 across = glm::cross(way, grip.palm) * (hand.right ? -1.0f : 1.0f);
+    grip.middle -= (grip.palm * std::cos(kPinch) + across * std::sin(kPinch)) * (kCurled + 0.004f);
+    return grip;
+}
+
 void addGlovedHand(std::vector<Solid>& solids, const HandGrip& grip, const glm::mat4& toWorld) {
-    const glm::vec3 across = glm::cross(grip.along, grip.palm);
+    const glm::vec3 across = glm::cross(grip.along, grip.palm) * (grip.mirrored ? -1.0f : 1.0f);
     const auto add = [&](SolidShape shape, const glm::mat4& place, const glm::vec3& colour) {
         solids.push_back({shape, toWorld * place, colour, kLeatherGloss});
     };
@@ -36,7 +60,8 @@ void addGlovedHand(std::vector<Solid>& solids, const HandGrip& grip, const glm::
                (grip.radius + out) * (grip.palm * std::cos(turned) + across * std::sin(turned));
     };
     const glm::vec3 palm = grip.middle + grip.palm * (grip.radius + 0.016f) - across * 0.004f;
-    add(SolidShape::pill, framed(grip.palm, across, grip.along, palm, {0.042f, 0.080f, 0.112f}), kLeather);
+    add(SolidShape::pill,
+        framed(grip.palm, glm::cross(grip.along, grip.palm), grip.along, palm, {0.042f, 0.080f, 0.112f}), kLeather);
     for (int finger = 0; finger < kFingers; ++finger) {
         const float along = kFingersApart * (static_cast<float>(finger) - 0.5f * (kFingers - 1));
         const float thick = finger == kFingers - 1 ? 0.85f * kFinger : kFinger; // the little finger

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/render/solid.hpp"
+#include "core/scene/gloved_hand.hpp"
 #include "core/weld/process/processes.hpp"
 #include "core/weld/torch/torch_sample.hpp"
 
@@ -12,9 +13,11 @@ namespace meltpool {
 
 /// Inputs of the torch's cable and the hand other than the pose, in the workpiece's frame.
 struct TorchSurroundings {
-    std::optional<glm::vec3> hand; ///< m, place of the hand; none: the usual place on this torch
-    glm::vec3 cableEnd{0.0f};      ///< m, end of the cable, which hangs down to it from above
-    glm::vec3 up{0, 1, 0};         ///< unit vector against gravity
+    /// Hand through which the handle runs; none: the usual place on this torch. A torch whose neck is longer than the
+    /// way to the hand is drawn shorter, or straight.
+    std::optional<TrackedHand> hand;
+    glm::vec3 cableEnd{0.0f}; ///< m, end of the cable, which hangs down to it from above
+    glm::vec3 up{0, 1, 0};    ///< unit vector against gravity
 };
 
 /// Replaces `solids` by the torch of this process at this pose, as buildTorchModel() places it; they replace its coarse

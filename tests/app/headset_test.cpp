@@ -103,7 +103,7 @@ TEST_CASE("the hand holds the lesson's torch at its tip, and table, machine and 
     HandsView hands;
     hands.torch = true;
     hands.tip.position = {0.1f, 1.0f, 0.1f};
-    hands.grip.position = {0.05f, 1.15f, 0.2f};
+    hands.holder.hold.position = {0.05f, 1.15f, 0.2f};
     const size_t plain = scene.build(parameters, hands).size();
     CHECK(plain > 15); // includes the table
     CHECK(scene.fittings().empty());
@@ -115,7 +115,7 @@ TEST_CASE("the hand holds the lesson's torch at its tip, and table, machine and 
     REQUIRE(scene.fittings().size() > 15);
     float nearest = 1;
     for (const Solid& solid : scene.fittings())
-        nearest = std::min(nearest, glm::distance(glm::vec3(solid.toWorld[3]), hands.grip.position));
+        nearest = std::min(nearest, glm::distance(glm::vec3(solid.toWorld[3]), hands.holder.hold.position));
     CHECK(nearest < 0.05f); // the glove is near
     const size_t standing = scene.furniture().size();
     CHECK(standing > 20);
@@ -354,7 +354,7 @@ TEST_CASE("measuring finds tip and direction of a torch on whatever holds it, an
         while (measuring.underWay() && time < 60) {
             torch.grip = poseAt(time);
             const auto found = measuring.gather(torch, calibration.tip(), 1.0 / 90);
-            if (found) measuring.kept(calibration.keep(*found));
+            if (found) measuring.kept(calibration.keep(*found, calibration.tip()));
             time += 1.0 / 90;
         }
         return time;
@@ -388,10 +388,18 @@ TEST_CASE("measuring finds tip and direction of a torch on whatever holds it, an
     elsewhere.offset.x += 0.01f;
     xr::TipCalibration turned = calibration.tip();
     turned.pointAlong({0, 0, 1});
-    CHECK(calibration.keep(turned).empty());
-    CHECK(other.keep(elsewhere).empty());
+    CHECK(calibration.keep(turned, calibration.tip()).empty());
+    CHECK(other.keep(elsewhere, other.tip()).empty());
     CHECK(xr::readCalibration(file).offset == elsewhere.offset);
     CHECK(glm::distance(other.tip().orientation * glm::vec3(0, 0, -1), glm::vec3(0, 0, 1)) < 1e-4f);
-    CHECK(calibration.keep(kept).empty());
+    CHECK(calibration.keep(kept, calibration.tip()).empty());
     CHECK(glm::distance(xr::readCalibration(file).offset, elsewhere.offset) < 1e-6f); // not measured by this program
+    CHECK(calibration.measured());
+    measuring.begin(TipMeasuring::Task::axis);
+    measuring.forgotten(calibration.forget());
+    CHECK_FALSE(measuring.underWay());
+    CHECK_THAT(measuring.report(), test::containsText("its own tip"));
+    CHECK_FALSE(calibration.measured());
+    CHECK_FALSE(std::filesystem::exists(file));
+    CHECK_FALSE(CalibrationFile(file).measured());
 }

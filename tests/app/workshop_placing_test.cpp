@@ -21,12 +21,13 @@ struct Placed {
     xr::Pose head = headAt({0, 1.6f, 0});
     bool held = false;
     bool burning = false;
+    bool handsAct = false;
     int places = 0;
 
     Placed() { frames(0.1); }
 
     void frame(std::optional<bool> worn = {}, bool spaceMoved = false) {
-        placing.update({head, worn, spaceMoved, held}, workshop, kFrame);
+        placing.update({head, worn, spaceMoved, held, handsAct}, workshop, kFrame);
         if (!placing.due() || burning) return;
         workshop.place(head, std::nullopt, true);
         placing.placed(head);
@@ -87,6 +88,15 @@ TEST_CASE("a headset that is lifted and put on in its place leaves the work wher
     Placed person;
     person.rest(WorkshopPlacing::kRest + 1);
     person.move({0.1f, 1.58f, 0.05f}, 0.2f);
+    person.frames(3);
+    CHECK(person.places == 1);
+}
+
+TEST_CASE("a head that rests while the hands work was not put on when it moves", "[app]") {
+    Placed person;
+    person.handsAct = true;
+    person.rest(2 * WorkshopPlacing::kRest);
+    person.move({0.1f, 1.3f, -0.1f}, 0); // leans down
     person.frames(3);
     CHECK(person.places == 1);
 }

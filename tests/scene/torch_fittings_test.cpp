@@ -110,12 +110,12 @@ TEST_CASE("a tracked hand takes the handle with it") {
     TorchSurroundings around;
     const TorchSample torch = leaning();
     const SolidMeshes meshes = makeSolidMeshes();
-    around.hand = torch.tip - torch.axis() * 0.2f + glm::vec3(0.1f, 0.02f, 0.05f);
+    around.hand = TrackedHand{.place = torch.tip - torch.axis() * 0.2f + glm::vec3(0.1f, 0.02f, 0.05f)};
     std::vector<Solid> solids;
     buildTorchFittings(solids, torch, gmaw, around, glm::mat4(1));
     float nearest = 1e9f;
     for (const Solid& solid : solids)
-        nearest = std::min(nearest, distanceTo(meshes, solid, *around.hand));
+        nearest = std::min(nearest, distanceTo(meshes, solid, around.hand->place));
     CHECK(nearest < 0.02f);
 }
 

@@ -117,6 +117,7 @@ TEST_CASE(
     Trainee trainee;
     trainee.bottom = -0.010f; // 4 mm of plate over 6 mm of supports
     trainee.zoom = 1;
+    trainee.take("gmaw");
     setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
     TrainerProcess trainer(folder, {"--headset", "--lesson", plateLesson(folder).string()});
     unsetenv("MESA_SHADER_CACHE_DISABLE");

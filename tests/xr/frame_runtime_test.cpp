@@ -103,6 +103,7 @@ TEST_CASE("a frame of a weld allocates nothing either", "[runtime]") {
     Trainee trainee;
     trainee.bottom = -0.010f; // 4 mm of plate over 6 mm of supports
     trainee.zoom = 1;
+    trainee.take("gmaw");
     trainee.held = glm::angleAxis(-1.4f, glm::vec3(1, 0, 0));
     TrainerProcess trainer(folder, {"--headset", "--lesson", plateLesson(folder).string()}, {}, MELTPOOL_CALL_COUNTERS);
     REQUIRE(trainer.waitFor(ready));

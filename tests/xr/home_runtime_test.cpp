@@ -112,6 +112,7 @@ TEST_CASE("a lesson is picked on the panel, demonstrated, welded, judged and beg
     Trainee trainee;
     trainee.bottom = -0.010f; // 4 mm of plate over 6 mm of supports
     trainee.zoom = 1;
+    trainee.take("gmaw");
     trainee.held = glm::angleAxis(-1.4f, glm::vec3(1, 0, 0)); // nearly straight down
     const auto process = startAtHome(folder);
     TrainerProcess& trainer = *process;
@@ -186,6 +187,7 @@ TEST_CASE("in the headset an attempt goes back, is held against another one, and
     Trainee trainee;
     trainee.bottom = -0.010f;
     trainee.zoom = 1;
+    trainee.take("gmaw");
     trainee.held = glm::angleAxis(-1.4f, glm::vec3(1, 0, 0));
     const auto process = startAtHome(folder);
     TrainerProcess& trainer = *process;

@@ -82,6 +82,7 @@ TEST_CASE("a weld starts at real size whatever the settings say; another zoom pu
     const fs::path file = plateLesson(folder), record = folder / "telemetry.csv";
     Trainee trainee;
     trainee.zoom = 1;
+    trainee.take("gmaw");
     trainee.bottom = makeWorkpiece(readLesson(file).workpiece).low.y;
     trainee.held = glm::angleAxis(-1.4f, glm::vec3(1, 0, 0));
     TrainerProcess trainer(folder, {"--headset", "--lesson", file.string(), "--record", record.string()},

@@ -87,6 +87,7 @@ TEST_CASE("a bead whose torch was lost on the way is replayed to the bits of its
     Trainee trainee;
     trainee.bottom = makeWorkpiece(readLesson(lesson).workpiece).low.y;
     trainee.zoom = 1;
+    trainee.take("gmaw");
     trainee.held = glm::angleAxis(-1.4f, glm::vec3(1, 0, 0)); // nearly straight down
     TrainerProcess trainer(folder, {"--headset", "--lesson", lesson.string()});
     REQUIRE(trainer.waitFor(ready));

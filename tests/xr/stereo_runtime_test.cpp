@@ -44,7 +44,7 @@ struct DrawnLesson {
         HandsView hands;
         hands.torch = true;
         hands.tip = {glm::angleAxis(-0.7f, glm::vec3(1, 0, 0)), place.toWorkshop({0.03f, 0.03f, 0.03f})};
-        hands.grip = hands.tip * xr::Pose{{1, 0, 0, 0}, {0, 0.03f, 0.15f}};
+        hands.holder.hold = hands.tip * xr::Pose{{1, 0, 0, 0}, {0, 0.03f, 0.15f}};
         hands.heat = 1.0f;
         scene.solids = workshop.build(parameters, hands);
         return scene;

@@ -5,6 +5,7 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/places.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
 
@@ -85,9 +86,17 @@ void Trainee::lookDown() {
     send();
 }
 
+void Trainee::take(std::string_view process) {
+    ProcessSettings settings;
+    const auto& names = AllProcesses::kNames;
+    settings.kind = static_cast<int>(std::find(names.begin(), names.end(), process) - names.begin());
+    REQUIRE(settings.kind < int(names.size()));
+    torch = torchGeometry(settings);
+}
+
 void Trainee::aim(const glm::vec3& place, float trigger) {
     const xr::Pose tip{held, inRoom(place)};
-    const xr::Pose grip = tip * xr::Pose{{1, 0, 0, 0}, {0, 0, 0.12f}}; // the tip is 120 mm before the grip
+    const xr::Pose grip = tip * xr::Pose{torch.tipOrientation(), torch.tip()}.inverse();
     state.hands[hand].pose = grip * handGeometry().grip.inverse();
     state.hands[hand].trigger = trigger;
     send();

@@ -3,10 +3,12 @@
 #pragma once
 
 #include "app/headset/workshop.hpp"
+#include "core/scene/torch_geometry.hpp"
 #include "tests/xr/trainer_process.hpp"
 
 #include <functional>
 #include <optional>
+#include <string_view>
 
 namespace meltpool::test {
 
@@ -32,6 +34,7 @@ struct Trainee {
     float tableHeight = 1.6f - Workshop::kDrop; ///< m over the workshop's floor
     float tableTop = 1.6f - Workshop::kDrop;    ///< m, in the session's space
     float bottom = -0.04f;                   ///< lowest place of the lesson's box in the workpiece's frame, m
+    TorchGeometry torch = kPlainTorch;       ///< the lesson's torch, whose own tip counts
     glm::quat held = glm::angleAxis(-0.8f, glm::vec3(1, 0, 0)); ///< the torch's orientation
 
     /// Puts both hands next to the table, the torch's away from the metal.
@@ -39,6 +42,8 @@ struct Trainee {
 
     /// Converts from the workpiece's frame (m) to the session's space.
     glm::vec3 inRoom(const glm::vec3& place) const;
+    /// Takes the torch of a process into the hand, by the process's name in lessons.
+    void take(std::string_view process);
     /// Looks down at the workpiece; the first look, straight ahead, places the workshop.
     void lookDown();
     /// Holds the torch's tip at a place of the workpiece's frame.

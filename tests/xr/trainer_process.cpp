@@ -29,7 +29,8 @@ std::vector<std::string> launched(const fs::path& program, const std::vector<std
     return words;
 }
 
-int start(const std::vector<std::string>& arguments, const fs::path& folder, const std::string& preload) {
+int start(const std::vector<std::string>& arguments, const fs::path& folder, const std::string& preload,
+          const std::string& window) {
     const std::vector<std::string> words = launched(test::buildFolder() / "bin" / "meltpool", arguments);
     std::vector<char*> pointers;
     for (const std::string& word : words)
@@ -60,12 +61,12 @@ int waitForEnd(int pid) {
 } // namespace
 
 TrainerProcess::TrainerProcess(fs::path folder, std::vector<std::string> arguments, const std::string& headset,
-                               const std::string& preload)
+                               const std::string& preload, const std::string& window)
     : folder_(std::move(folder)), rows_(folder_ / "window.jsonl") {
     fs::create_directories(folder_ / "meltpool");
-    writeTextFileAtomically(folder_ / "meltpool" / "settings.toml", "[headset]\nresolution_scale = 0.4\nsamples = 1\n" +
-                                                                        headset +
-                                                                        "[window]\nwidth = 640\nheight = 480\n");
+    writeTextFileAtomically(folder_ / "meltpool" / "settings.toml",
+                            "[headset]\nresolution_scale = 0.4\nsamples = 1\n" + headset +
+                                "[window]\nwidth = 640\nheight = 480\n" + window);
     arguments.insert(arguments.end(), {"--telemetry", (folder_ / "window.jsonl").string()});
     pid_ = start(arguments, folder_, preload);
 }

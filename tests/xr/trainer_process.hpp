@@ -16,9 +16,10 @@ namespace meltpool::test {
 class TrainerProcess {
   public:
     /// Starts `meltpool ARGUMENTS --telemetry ...` with settings of its own (small pictures, so that a software driver
-    /// keeps pace). `headset`: further lines of its [headset] settings. `preload`: library that is loaded before it.
+    /// keeps pace). `headset`: further lines of its [headset] settings, `window`: of the [window]'s.
+    /// `preload`: library that is loaded before it.
     TrainerProcess(std::filesystem::path folder, std::vector<std::string> arguments, const std::string& headset = {},
-                   const std::string& preload = {});
+                   const std::string& preload = {}, const std::string& window = {});
     ~TrainerProcess();
     TrainerProcess(const TrainerProcess&) = delete;
     TrainerProcess& operator=(const TrainerProcess&) = delete;

@@ -118,6 +118,7 @@ TEST_CASE("a bead is welded in the headset: the arc strikes, follows its length 
     Trainee trainee;
     trainee.bottom = makeWorkpiece(readLesson(file).workpiece).low.y;
     trainee.zoom = 1;
+    trainee.take("gmaw");
     trainee.held = glm::angleAxis(-1.4f, glm::vec3(1, 0, 0)); // nearly straight down
     TrainerProcess trainer(folder, {"--headset", "--lesson", file.string(), "--record", record.string()});
     REQUIRE(trainer.waitFor(ready));
@@ -166,6 +167,7 @@ TEST_CASE("a filler rod in a GTAW lesson is where the other hand holds it, and g
     Trainee trainee;
     trainee.bottom = makeWorkpiece(readLesson(file).workpiece).low.y;
     trainee.zoom = 1;
+    trainee.take("gtaw");
     TrainerProcess trainer(folder, {"--headset", "--lesson", file.string()});
     REQUIRE(trainer.waitFor(ready));
     trainee.state.hands[0].pose = kRodGrip * handGeometry().grip.inverse();
