@@ -4,7 +4,11 @@
 
 #include <algorithm>
 #include <array>
+<<<<<<< HEAD
 #include <cmath>
+=======
+#include <utility>
+>>>>>>> h48-panel
 
 namespace meltpool {
 
@@ -47,6 +51,7 @@ bool HeadsetFrontEnd::begin(LessonSession& session, const Home& home, double ela
     inFrame_ = false;
     mirrored_ = false;
     if (changes_.lessonBegan(session)) {
+        arcBurned_ = false;
         hands_.forgetSteps();
         hands_.putOut(session.log().redo().redone() > 0 ? ArcOut::redone : ArcOut::lessonBegan);
     }
@@ -78,9 +83,8 @@ void HeadsetFrontEnd::readHands(LessonSession& session, const Home& home, double
     const xr::Input& input = headset.input();
     placeWorkshop(session, elapsed);
     panel_.update(input, workshop_, headset.panel().shape(), hands_.torchHand());
-    if (session.question().asked() || (home.open && !homeShown_)) panel_.show();
-    homeShown_ = home.open;
-    showResult(session);
+    followPage(session, home);
+    movePanel(session, elapsed);
     askAgain(session, input);
     if (headset.mode() == xr::SessionMode::focused)
         focusedOpening_ = connection_.openings();
@@ -98,17 +102,59 @@ void HeadsetFrontEnd::readHands(LessonSession& session, const Home& home, double
     view_.update(session, hands_.torch(), elapsed);
 }
 
-/// Opens the panel on a new judgement; a panel opened so closes when the weld continues or begins again.
-void HeadsetFrontEnd::showResult(const LessonSession& session) {
-    const bool fresh = session.attempt().judged() && session.attempt().judgements() != judgements_;
-    judgements_ = session.attempt().judgements();
-    if (fresh && !panel_.open()) {
-        panel_.show();
-        openedByResult_ = true;
-    } else if (openedByResult_ && !session.attempt().judged()) {
-        if (!session.question().asked()) panel_.hide();
+HeadsetFrontEnd::Page HeadsetFrontEnd::pageOf(const LessonSession& session, const Home& home) {
+    if (home.open) return Page::home;
+    if (!session.running()) return Page::lesson;
+    return session.attempt().judged() ? Page::result : Page::work;
+}
+
+/// Opens the panel on each page that is read: a question, the list of lessons, a lesson's page, a new judgement. A
+/// panel that a result opened closes when the weld continues or begins again.
+void HeadsetFrontEnd::followPage(const LessonSession& session, const Home& home) {
+    const Page before = std::exchange(page_, pageOf(session, home));
+    const bool judged = std::exchange(judgements_, session.attempt().judgements()) != judgements_;
+    const bool asked = session.question().asked();
+    if (asked) panel_.show();
+    switch (page_) {
+    case Page::none:
+        break;
+    case Page::work:
+        if (openedByResult_ && !asked) panel_.hide();
         openedByResult_ = false;
+        break;
+    case Page::home:
+    case Page::lesson:
+        if (page_ != before) panel_.show();
+        openedByResult_ = false;
+        break;
+    case Page::result:
+        if (!judged && before == Page::result) break;
+        openedByResult_ |= !panel_.open();
+        panel_.show();
+        break;
     }
+}
+
+/// Returns true while the person burns the arc, or heats without one.
+bool HeadsetFrontEnd::heats(const LessonSession& session) const {
+    if (session.leader() != TorchLeader::hand || !session.running()) return false;
+    const bool arc = session.lesson().model == LessonModel::Weld && isArcWelding(session.lesson().process);
+    return arc ? session.welds() : hands_.torch().trigger() > 0;
+}
+
+/// Closes the panel when an attempt's arc first burns, and moves it aside for the work.
+void HeadsetFrontEnd::movePanel(const LessonSession& session, double elapsed) {
+    const bool works = page_ == Page::work && !session.question().asked();
+    if (works && !arcBurned_ && heats(session) && !panel_.pointer().pressed) {
+        arcBurned_ = true;
+        panel_.hide();
+    }
+    std::optional<glm::vec3> eyes;
+    if (drawn_) {
+        const std::array<xr::EyeView, 2>& views = connection_.headset()->views();
+        eyes = workshop_.toWorkshop(xr::interpolate(views[0].pose, views[1].pose, 0.5f)).position;
+    }
+    panel_.move(works, eyes, hands_.torchHand(), elapsed);
 }
 
 /// Asks for the next attempt while a result is shown, if the trigger of the hand without the torch is pulled and does
@@ -153,10 +199,16 @@ void HeadsetFrontEnd::placeWorkshop(LessonSession& session, double elapsed) {
     if (!placing_.due() || hands_.torch().trigger() > 0) return;
     std::array<xr::EyeView, 2> eyes;
     if (!headset.locateEyes(eyes)) return;
+<<<<<<< HEAD
     const bool set = parameters_.table == HeadsetParameters::kSetHeight;
     parameters_.tableHeight = workshop_.place(middle(eyes), set ? std::optional(parameters_.setHeight) : std::nullopt,
                                               headset.session().originOnFloor());
     placing_.placed(middle(eyes));
+=======
+    const xr::Pose head = xr::interpolate(eyes[0].pose, eyes[1].pose, 0.5f);
+    workshop_.recentre(head, parameters_, headset.session().originOnFloor());
+    panel_.forgetHeight();
+>>>>>>> h48-panel
     changes_.recentred(hands_, session);
 }
 
@@ -328,6 +380,9 @@ HeadsetStatus HeadsetFrontEnd::status() const {
     status.tracked = hands_.torch().tracked();
     status.triggerLocked = hands_.torch().triggerLock().locked() || !changes_.lessonRuns();
     status.panel = panel_.open();
+    const xr::Pose panel = workshop_.toSession(panel_.pose());
+    status.panelAt = panel.position;
+    status.panelTurn = panel.orientation;
     status.tip = feedback_.status(headset == nullptr ? 0 : headset->hapticCalls().applied);
     status.displayHz = timing_.period > 0 ? 1 / timing_.period : 0;
     status.busyMs = busy_ * 1000;

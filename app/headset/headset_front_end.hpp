@@ -47,7 +47,13 @@ class HeadsetFrontEnd final : public WindowHeadset {
 
     void guarded(FunctionRef<void()> work);
     void readHands(LessonSession& session, const Home& home, double elapsed);
-    void showResult(const LessonSession& session);
+    /// Page that the person has before them; none before the first frame.
+    enum class Page { none, home, lesson, work, result };
+
+    static Page pageOf(const LessonSession& session, const Home& home);
+    void followPage(const LessonSession& session, const Home& home);
+    bool heats(const LessonSession& session) const;
+    void movePanel(const LessonSession& session, double elapsed);
     void askAgain(const LessonSession& session, const xr::Input& input);
     void placeWorkshop(LessonSession& session, double elapsed);
     bool handsAct(const xr::Input& input);
@@ -79,7 +85,8 @@ class HeadsetFrontEnd final : public WindowHeadset {
     bool openedByResult_ = false; ///< a result opened the panel
     bool again_ = false;          ///< the person asks for another attempt in this frame
     bool otherPulled_ = false;    ///< the trigger of the hand without the torch is pulled
-    bool homeShown_ = false;      ///< the panel has opened for the list of lessons
+    bool arcBurned_ = false;      ///< the arc has burned in this attempt
+    Page page_ = Page::none;      ///< page of the last frame
     bool drawn_ = false;          ///< the eyes hold a picture that the runtime shows
     bool mirrored_ = false;       ///< the window shows the eyes' picture too
     double busy_ = 0;             ///< s of the last frame's begin() and draw() without waiting for the runtime

@@ -1,10 +1,22 @@
 #include "app/headset/panel_pointer.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace meltpool {
+
+namespace {
+
+constexpr double kMoving = 0.3;     // s from one place to the other
+constexpr float kUnderEyes = 0.12f; // m, the panel's middle in front
+constexpr float kOverTable = 0.40f; // m, least height of the panel's middle
+constexpr float kAsideX = 0.42f;    // m
+
+} // namespace
 
 void PanelPointer::update(const xr::Input& input, const Workshop& workshop, const xr::PanelShape& shape,
                           xr::Hand torchHand) {
-    torchHand_ = torchHand;
+    if (!open_) hand_ = torchHand; // the trigger in the hand that works presses first
     for (const xr::Hand hand : {xr::Hand::left, xr::Hand::right}) {
         if (!input.hand(hand).menu) continue;
         open_ = !open_;
@@ -19,11 +31,31 @@ void PanelPointer::update(const xr::Input& input, const Workshop& workshop, cons
         pointWith(hand_, input, workshop, shape);
 }
 
-xr::Pose PanelPointer::pose() const {
-    // Places the panel next to and behind the workpiece, away from the torch's hand, turned to the person's place.
-    const float side = torchHand_ == xr::Hand::right ? -1.0f : 1.0f;
-    return {glm::angleAxis(-side * 0.48f, glm::vec3(0, 1, 0)) * glm::angleAxis(-0.2f, glm::vec3(1, 0, 0)),
-            {side * 0.42f, parameters_.tableHeight + 0.45f, -0.35f}};
+void PanelPointer::move(bool aside, const std::optional<glm::vec3>& eyes, xr::Hand torchHand, double elapsed) {
+    const float table = parameters_.tableHeight;
+    if (!heightKnown_) height_ = table + kOverTable;
+    if (eyes && (!heightKnown_ || !open_ || aside_ >= 1)) {
+        height_ = std::max(eyes->y - kUnderEyes, table + kOverTable);
+        tilt_ = std::atan2(eyes->y - height_, Workshop::kReach + kBehind);
+        heightKnown_ = true;
+    }
+    const auto steps = static_cast<float>(elapsed / kMoving);
+    const auto approach = [&](float& value, float target, float step) {
+        value += std::clamp(target - value, -step, step);
+    };
+    const float side = torchHand == xr::Hand::right ? -1.0f : 1.0f;
+    if (!open_) {
+        aside_ = aside ? 1.0f : 0.0f;
+        side_ = side;
+    } else if (!pointer_.pressed) {
+        approach(aside_, aside ? 1.0f : 0.0f, steps);
+        approach(side_, side, 2 * steps);
+    }
+    const float share = aside_ * aside_ * (3 - 2 * aside_);
+    const glm::vec3 there(side_ * kAsideX, table + kOverTable + 0.05f, -kBehind);
+    pose_.position = glm::mix(glm::vec3(0, height_, -kBehind), there, share);
+    pose_.orientation = glm::angleAxis(-share * side_ * 0.48f, glm::vec3(0, 1, 0)) *
+                        glm::angleAxis(-glm::mix(tilt_, 0.2f, share), glm::vec3(1, 0, 0));
 }
 
 std::optional<xr::Hand> PanelPointer::pointingHand() const {
@@ -35,7 +67,7 @@ bool PanelPointer::pointWith(xr::Hand which, const xr::Input& input, const Works
     pointer_ = {};
     const xr::HandInput& hand = input.hand(which);
     if (!hand.tracked) return false;
-    const xr::Pose panel = pose();
+    const xr::Pose& panel = pose_;
     ray_ = workshop.toWorkshop(hand.aim);
     const std::optional<glm::vec2> place = xr::pointOnPanel(ray_, panel, shape);
     if (!place) return false;

@@ -13,18 +13,27 @@ namespace meltpool {
 
 class PanelPointer {
   public:
+    /// Distance of the panel in front, behind the workpiece's middle, m.
+    static constexpr float kBehind = 0.35f;
+
     explicit PanelPointer(const HeadsetParameters& parameters) : parameters_(parameters) {}
 
     /// Takes the frame's hands. The menu button of a hand opens and closes the panel, and that hand points; the other
     /// one takes over when it pulls its trigger at the panel.
     void update(const xr::Input& input, const Workshop& workshop, const xr::PanelShape& shape, xr::Hand torchHand);
+    /// Moves the panel towards its place, but never while a trigger is pulled at it: in front of the person, or `aside`
+    /// of the workpiece, away from the torch's hand. `eyes`: their place in the workshop, empty while unknown; the
+    /// panel takes its height from them when it comes in front. `elapsed`: real seconds since the last frame.
+    void move(bool aside, const std::optional<glm::vec3>& eyes, xr::Hand torchHand, double elapsed);
+    /// Takes the height in front from the eyes again, after the workshop was moved.
+    void forgetHeight() { heightKnown_ = false; }
 
     bool open() const { return open_; }
     /// Opens the panel because something on it must be answered or read.
     void show() { open_ = true; }
     void hide() { open_ = false; }
     /// Pose of the panel in the workshop.
-    xr::Pose pose() const;
+    const xr::Pose& pose() const { return pose_; }
     const PointerOnPanel& pointer() const { return pointer_; }
     /// Hand that points at the panel now; empty: none.
     std::optional<xr::Hand> pointingHand() const;
@@ -36,7 +45,12 @@ class PanelPointer {
     bool pointWith(xr::Hand which, const xr::Input& input, const Workshop& workshop, const xr::PanelShape& shape);
 
     const HeadsetParameters& parameters_;
-    xr::Hand torchHand_ = xr::Hand::right;
+    xr::Pose pose_;
+    float aside_ = 0;  ///< 0 in front .. 1 aside
+    float side_ = -1;  ///< side of the place aside: -1 left .. 1 right
+    float height_ = 0; ///< height of the middle in front, m
+    float tilt_ = 0;   ///< rad, leans the panel in front back to the eyes
+    bool heightKnown_ = false;
     xr::Hand hand_ = xr::Hand::right; ///< hand that opened the panel, or last pulled its trigger at it
     bool open_ = false;
     PointerOnPanel pointer_;

@@ -3,6 +3,9 @@
 
 #include "app/session/menu_state.hpp"
 
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+
 #include <map>
 #include <string>
 
@@ -33,6 +36,8 @@ struct HeadsetStatus {
     bool tracked = false;       ///< true if the torch's hand is tracked
     bool triggerLocked = false; ///< true until the trigger is released
     bool panel = false;
+    glm::vec3 panelAt{0.0f};         ///< the panel's middle, m, in the headset's space
+    glm::quat panelTurn{1, 0, 0, 0}; ///< its turn there
     TipStatus tip;
     double displayHz = 0;                    ///< frames per second that the runtime asks for; 0: not known yet
     double busyMs = 0;                       ///< CPU time of the last headset frame, without waiting for the runtime

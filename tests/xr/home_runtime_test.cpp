@@ -180,6 +180,60 @@ TEST_CASE("a lesson is picked on the panel, demonstrated, welded, judged and beg
     CHECK(trainer.misuses() == "");
 }
 
+TEST_CASE("from the list of lessons to the weld, its result and back the panel opens and closes by itself",
+          "[runtime]") {
+    handGeometry();
+    const fs::path folder = benchFolder() / "by itself";
+    Trainee trainee;
+    trainee.bottom = -0.010f;
+    trainee.zoom = 1;
+    trainee.held = glm::angleAxis(-1.4f, glm::vec3(1, 0, 0));
+    const auto process = startAtHome(folder);
+    TrainerProcess& trainer = *process;
+    const auto inFront = [](const json& row) {
+        return row["headset"]["panel"] == true && std::abs(row["headset"]["panel_pose"][0].get<float>()) < 0.01f;
+    };
+    const auto aside = [](const json& row) {
+        return row["headset"]["panel"] == true && row["headset"]["panel_pose"][0] < -0.3f;
+    };
+    const auto closed = [](const json& row) { return row["headset"]["panel"] == false; };
+    REQUIRE(trainer.waitFor(offers("home.lesson.plate")));
+    CHECK(comesTrue(trainer, 40, inFront));
+    // A little under the eyes, which are 1.6 m over the floor.
+    CHECK(trainer.now()["headset"]["panel_pose"][1].get<float>() == Approx(1.48f).margin(0.02));
+    passFrames(trainer, 4);
+    keepPicture(screenshot(), "itself-home.png");
+    trainee.press(trainer, "home.lesson.plate", offers("headset.start"));
+    CHECK(comesTrue(trainer, 40, inFront));
+    passFrames(trainer, 4);
+    keepPicture(screenshot(), "itself-page.png");
+    trainee.press(trainer, "headset.start", running);
+    CHECK(comesTrue(trainer, 60, aside));
+    passFrames(trainer, 4);
+    keepPicture(screenshot(), "itself-start.png");
+    trainee.lookDown();
+    REQUIRE(trainee.strike(trainer, {-0.007f, 0.003f, 0}, [](const json& row) { return row["metal"]["molten"] > 5; }));
+    CHECK(comesTrue(trainer, 40, closed));
+    keepPicture(screenshot(), "itself-weld.png");
+    weldBead(trainee, trainer);
+    CHECK(comesTrue(trainer, 60, inFront));
+    trainee.state.head = {{1, 0, 0, 0}, {0, 1.6f, 0}};
+    trainee.send();
+    passFrames(trainer, 8);
+    keepPicture(screenshot(), "itself-result.png");
+
+    // Home keeps the panel that the result has opened.
+    trainee.press(trainer, "headset.home", [](const json& row) { return onPage(row, "home"); });
+    REQUIRE(trainer.waitFor(offers("home.lesson.plate")));
+    passFrames(trainer, 30);
+    CHECK(inFront(trainer.now()));
+    trainee.press(trainer, "home.lesson.plate", offers("headset.start"));
+    passFrames(trainer, 30);
+    CHECK(inFront(trainer.now()));
+    CHECK(trainer.stop() == 0);
+    CHECK(trainer.misuses() == "");
+}
+
 TEST_CASE("in the headset an attempt goes back, is held against another one, and is the ghost of a third",
           "[runtime][long]") {
     handGeometry();

@@ -32,11 +32,11 @@ HandGeometry measureHand() {
     return {hand.grip, hand.aim};
 }
 
-/// Returns the panel's pose as the program places it next to the workpiece, in the workshop.
-xr::Pose panelPose(bool rightHanded, float tableHeight) {
-    const float side = rightHanded ? -1.0f : 1.0f;
-    return {glm::angleAxis(-side * 0.48f, glm::vec3(0, 1, 0)) * glm::angleAxis(-0.2f, glm::vec3(1, 0, 0)),
-            {side * 0.42f, tableHeight + 0.45f, -0.35f}};
+/// Returns the panel's pose in the session's space, from the program's telemetry.
+xr::Pose panelPose(const json& row) {
+    const json& pose = row["headset"]["panel_pose"];
+    const auto at = [&](size_t i) { return pose[i].get<float>(); };
+    return {glm::quat(at(3), at(4), at(5), at(6)), {at(0), at(1), at(2)}};
 }
 
 } // namespace
@@ -135,11 +135,9 @@ void Trainee::point(const glm::vec3& from, const glm::vec3& target, float trigge
     send();
 }
 
-void Trainee::pointAtPixel(float x, float y, float trigger) {
-    const xr::Pose panel = panelPose(hand == 1, tableHeight); // 900 x 1100 pixels, 0.6 m wide
-    const glm::vec3 toRoom(0, tableTop - tableHeight, -Workshop::kReach);
-    point(panel * glm::vec3(0.1f, -0.1f, 0.5f) + toRoom,
-          panel * glm::vec3((x - 450) / 1500, (550 - y) / 1500, 0) + toRoom, trigger);
+void Trainee::pointAtPixel(TrainerProcess& trainer, float x, float y, float trigger) {
+    const xr::Pose panel = panelPose(trainer.now()); // 900 x 1100 pixels, 0.6 m wide
+    point(panel * glm::vec3(0.1f, -0.1f, 0.5f), panel * glm::vec3((x - 450) / 1500, (550 - y) / 1500, 0), trigger);
 }
 
 void Trainee::pointAtControl(TrainerProcess& trainer, const std::string& name, float trigger) {
@@ -149,8 +147,8 @@ void Trainee::pointAtControl(TrainerProcess& trainer, const std::string& name, f
         return send();
     }
     const json& place = places[name];
-    pointAtPixel(place[0].get<float>() + place[2].get<float>() / 2, place[1].get<float>() + place[3].get<float>() / 2,
-                 trigger);
+    pointAtPixel(trainer, place[0].get<float>() + place[2].get<float>() / 2,
+                 place[1].get<float>() + place[3].get<float>() / 2, trigger);
 }
 
 void Trainee::scrollTo(TrainerProcess& trainer, const std::string& name) {
@@ -160,7 +158,7 @@ void Trainee::scrollTo(TrainerProcess& trainer, const std::string& name) {
     };
     // A test that pauses scrolls too far, so there is more than one turn of both ways.
     for (const float way : {-1.0f, 1.0f, -1.0f, 1.0f, -1.0f, 1.0f}) {
-        pointAtPixel(450, 550, 0);
+        pointAtPixel(trainer, 450, 550, 0);
         passFrames(trainer, 2);
         pointer().thumbstickY = inSight(trainer.now()) ? 0.0f : way;
         send();

@@ -59,7 +59,7 @@ struct Trainee {
     /// Holds the ray at a control of the open panel, by its name in the program's telemetry.
     void pointAtControl(TrainerProcess& trainer, const std::string& name, float trigger);
     /// Holds the ray at a pixel of the panel.
-    void pointAtPixel(float x, float y, float trigger);
+    void pointAtPixel(TrainerProcess& trainer, float x, float y, float trigger);
     /// Scrolls the panel with the stick until the control is well in sight.
     void scrollTo(TrainerProcess& trainer, const std::string& name);
     /// Scrolls to the control, points at it, pulls the trigger and releases it, until `done(row)`: a person would press
