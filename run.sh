@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Sets up what is missing, builds the trainer and starts it: ./run.sh [ARGUMENTS OF meltpool]
+# Installs missing packages, builds the trainer and starts it: ./run.sh [ARGUMENTS OF meltpool]
 set -euo pipefail
 cd "$(dirname "$0")"
 # shellcheck source=app/setup.sh

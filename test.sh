@@ -1,14 +1,16 @@
 #!/usr/bin/env bash
-# Sets up what is missing, builds everything and runs every test: ./test.sh [--quick] [--long] [--checks] [CTEST ARGUMENTS]
-# On a build server (CI is set) follow, unless arguments chose tests: the headset's threads under the thread sanitizer, and a
-# quarter of the suites that need no window under address and undefined-behaviour sanitizers. The quarters take turns from
-# day to day. MELTPOOL_TURN=0 to 3 asks for one of them anywhere, MELTPOOL_TURN=all for all four and the tests of the whole
+# Installs missing packages, builds everything and runs the tests:
+#   ./test.sh [--quick | --long | --checks] [CTEST ARGUMENTS]
+#   ./test.sh --windows [CHECK...]
+# A build server (CI is set) goes on, unless arguments choose tests, with sanitizers: the thread sanitizer on the headset's
+# threads, the address and undefined-behaviour sanitizers on a quarter of the suites without a window. The quarter changes
+# each day. MELTPOOL_TURN=0 to 3 chooses a quarter on any computer, MELTPOOL_TURN=all all four and the tests of the whole
 # program.
-# --checks takes all and has clang check all sources.
-# --long does so too, and adds the soak, fuzzing and validation runs that take hours of patience rather than minutes, the
-# program for Windows, and both commands of the README in bare trees of Debian releases (tests/fresh.sh).
-# --quick builds and runs only the suites that take seconds, for the loop of edit and test.
-# --windows alone cross-compiles the program for Windows with its tests and checks it under Wine beside the Linux program.
+# --checks implies MELTPOOL_TURN=all, and clang checks all sources.
+# --long includes --checks and adds: the soak, fuzzing and long validation tests (hours), the Windows program, and the
+# README's commands in bare trees of Debian releases (tests/fresh.sh).
+# --quick builds and runs only the suites that take seconds.
+# --windows cross-compiles the Windows program with its tests, and checks it under Wine against the Linux program.
 set -euo pipefail
 cd "$(dirname "$0")"
 # shellcheck source=app/setup.sh
@@ -16,9 +18,9 @@ cd "$(dirname "$0")"
 configuration=()
 checks=
 long=
-strict=() # a build server stops at a warning, somebody who tries the program does not
+strict=() # a build server stops at a warning; a user's build does not
 [ -z "${CI:-}" ] || strict=(-DCMAKE_COMPILE_WARNING_AS_ERROR=ON)
-turn=${MELTPOOL_TURN:-${CI:+$((10#$(date +%j) % 4))}} # empty: nothing runs under sanitizers
+turn=${MELTPOOL_TURN:-${CI:+$((10#$(date +%j) % 4))}} # empty: no sanitizers
 if [ "${1:-}" = --long ]; then
     configuration=(-C Long)
     long=fuzz-long
@@ -32,17 +34,17 @@ if [ "${1:-}" = --checks ]; then
     shift
 fi
 
-# The suites that need no window, about a quarter of the time each. Two quarters need no part of app/ to be built.
+# Suites without a window, about a quarter of the time each. Two quarters need no part of app/.
 suites0='base gl surface weld xr xr-threads'
 suites1='fuzz render scene desktop_parts house'
 suites2='metal validation'
 suites3='training judging'
 suitesOfProgram='app'
 
-# The suites of --quick.
+# Suites of --quick.
 quickSuites='base weld judging house'
 
-# checkQuickly [CTEST ARGUMENTS]: sets up only a folder that has no tests yet; else Ninja configures where it must.
+# checkQuickly [CTEST ARGUMENTS]: installs and configures only if the build folder has no tests; later Ninja reconfigures.
 checkQuickly() {
     local suite targets=()
     if ! grep -qs '^MELTPOOL_TESTS:BOOL=ON' build/release/CMakeCache.txt || [ ! -e build/release/build.ninja ]; then
@@ -57,7 +59,7 @@ checkQuickly() {
         -R "^(${quickSuites// /|}|shader-includes)\$" "$@"
 }
 
-# checkForWindows [CHECK...]: makes the program for Windows with its tests, and tries it beside the Linux program.
+# checkForWindows [CHECK...]: builds the Windows program with its tests, and compares it with the Linux program.
 checkForWindows() {
     meltpoolInstall build
     meltpoolBuild release --target meltpool
@@ -75,7 +77,7 @@ checkWithClang() {
     meltpoolBuild clang -DMELTPOOL_TESTS=ON
 }
 
-# runSanitized PRESET SUITE...: builds and runs these suites, as far as there are such.
+# runSanitized PRESET SUITE...: builds and runs these suites with the sanitizers of the preset.
 runSanitized() {
     local preset=$1 suite names=() targets=()
     shift
@@ -102,7 +104,7 @@ if [ "${1:-}" = --windows ]; then
 fi
 meltpoolInstall build test
 meltpoolBuild release -DMELTPOOL_TESTS=ON "${strict[@]}"
-# Windows and headsets wait for frames much of their time, so three suites keep two cores busy.
+# Three suites at a time keep two cores busy: window and headset tests mostly wait for frames.
 ctest --test-dir build/release --output-on-failure "${configuration[@]}" -j 3 "$@"
 
 if [ $# -eq 0 ] && [ -n "$turn" ]; then

@@ -1,6 +1,6 @@
-# Functions of run.sh and test.sh: install what is missing, build a preset. Sourced, not run.
+# Functions of run.sh and test.sh that install missing packages and build a preset. Sourced, not run.
 
-# Debian and Ubuntu packages, by what needs them.
+# Debian and Ubuntu packages by purpose.
 meltpoolBuildPackages=(
     g++ cmake ninja-build pkg-config glslang-tools git
     libglfw3-dev libglew-dev libglm-dev libopenxr-dev libimgui-dev libgl-dev libegl-dev
@@ -10,17 +10,18 @@ meltpoolBuildPackages=(
 meltpoolTestPackages=(
     assimp-utils dpkg-dev file xvfb xauth xdotool libx11-dev x11-apps x11-utils imagemagick mmdebstrap
 )
-# For the program for Windows, and for running it without Windows.
+# Packages to build the Windows program, and to run it under Wine.
 meltpoolWindowsPackages=(
     g++-mingw-w64-x86-64-posix libz-mingw-w64-dev nsis dpkg-dev cmake ninja-build glslang-tools git imagemagick
     python3-jinja2 libglm-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libstb-dev libopenal-dev catch2 fonts-open-sans
     fonts-dejavu-core
 )
 meltpoolWindowsTestPackages=(wine wine64 xvfb xauth xdotool libgl1-mesa-dri imagemagick unzip)
-# Used where the distribution has them.
+# Optional packages, installed if the distribution has them.
 meltpoolOptionalTestPackages=(clang)
 
-# meltpoolInstall KIND...: installs the missing packages of the kinds build, test, windows and windows-test; asks for sudo only when something is missing.
+# meltpoolInstall KIND...: installs missing packages of these kinds (build, test, windows, windows-test). Calls sudo only if
+# a package is missing.
 meltpoolInstall() {
     local wanted=() optional=() missing=() kind package
     for kind in "$@"; do
@@ -57,19 +58,20 @@ meltpoolInstalled() {
     dpkg-query -W -f '${Status}' "$1" 2>/dev/null | grep -q 'ok installed'
 }
 
-# meltpoolOffers PACKAGE...: prints those that the distribution has and this machine has not; fails where there is none.
+# meltpoolOffers PACKAGE...: prints packages that the distribution has and this computer lacks; fails if there are none.
 meltpoolOffers() {
     local package any=1
     for package in "$@"; do
         meltpoolInstalled "$package" && continue
-        apt-cache policy "$package" 2>/dev/null | grep 'Candidate: [0-9]' >/dev/null || continue # reads to the end
+        # Not grep -q: it would break the pipe, and pipefail would count that as a failure of apt-cache.
+        apt-cache policy "$package" 2>/dev/null | grep 'Candidate: [0-9]' >/dev/null || continue
         echo "$package"
         any=0
     done
     return $any
 }
 
-# Without apt nothing is installed for the user; a missing tool is named before CMake stumbles over it.
+# Lists missing tools for a system without apt, before CMake fails with a less clear message.
 meltpoolListNeeds() {
     local tool absent=()
     for tool in c++ cmake ninja pkg-config glslangValidator; do
@@ -81,7 +83,7 @@ meltpoolListNeeds() {
     exit 2
 }
 
-# meltpoolConfigure PRESET [CMAKE CACHE OPTIONS]: configures, quietly unless it fails.
+# meltpoolConfigure PRESET [CMAKE CACHE OPTIONS]: configures; prints CMake's output only on failure.
 meltpoolConfigure() {
     local preset=$1 log
     shift

@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
-# Both commands of the README in a bare root tree of a Debian release: only git, sudo and certificates are there.
+# Runs the README's commands in a bare root tree of a Debian release, which has only git, sudo and certificates.
 #
 #   tests/fresh.sh                     run.sh and test.sh in Debian 12 and 13, run.sh in the next release
 #   tests/fresh.sh RELEASE             run.sh and test.sh in a tree of this release (bookworm, trixie, forky)
-#   tests/fresh.sh RELEASE COMMAND     only this line of bash, in a fresh clone, for example './run.sh run classic --seconds 1'
-#   tests/fresh.sh --quick             the quick suites and run.sh in the release that this machine does not have: 12 on 13, else 13
+#   tests/fresh.sh RELEASE COMMAND     only this line of bash, in a fresh clone, such as './run.sh run classic --seconds 1'
+#   tests/fresh.sh --quick             the quick suites and run.sh in the release that this computer does not run: 12 on 13, else 13
 #
-# The clone is of this checkout's HEAD: what is not committed is not tried. Needs mmdebstrap and root, or a kernel that lets users
-# have namespaces of their own. Trees are made in MELTPOOL_TREES (by default ~/.cache/meltpool/trees) and removed at the end;
-# MELTPOOL_KEEP_TREE=1 leaves them, and a tree that is there is used as it is. Logs lie beside the trees, RELEASE.log.
+# Clones HEAD of this checkout, without uncommitted changes. Needs mmdebstrap, and root or a kernel with user namespaces.
+# Unpacks trees into MELTPOOL_TREES (default ~/.cache/meltpool/trees), uses existing ones, and removes them at the end
+# unless MELTPOOL_KEEP_TREE=1. Logs are next to the trees: RELEASE.log.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -16,7 +16,7 @@ readonly trees=${MELTPOOL_TREES:-${XDG_CACHE_HOME:-${HOME:-/tmp}/.cache}/meltpoo
 readonly start='./run.sh run classic --seconds 1'
 readonly nextRelease=forky
 
-# inNamespace COMMAND...: runs it as root of namespaces of its own, so that its mounts and processes end with it.
+# inNamespace COMMAND...: runs it as root in new namespaces, so that its mounts and processes end with it.
 inNamespace() {
     if [ "$(id -u)" -eq 0 ]; then
         unshare --mount --pid --fork --kill-child "$@"
@@ -36,13 +36,13 @@ makeTree() {
     mkdir -p "$trees"
     echo "Unpacking a bare tree of $release into $tree"
     rm -rf "$tree"
-    # A tree of a test need not survive a power cut, and a mirror's lists of a release in the making may be old.
+    # force-unsafe-io: a test tree need not survive a power cut. Check-Valid-Until: lists of an unreleased Debian may be old.
     mmdebstrap --quiet --variant=minbase --include=git,sudo,ca-certificates --dpkgopt=force-unsafe-io \
         --aptopt='Acquire::Check-Valid-Until "false"' --aptopt='Acquire::Retries "3"' "$release" "$tree" </dev/null
     : >"$tree/.complete"
 }
 
-# inTree RELEASE CLONE COMMAND: runs a line of bash in the clone in the tree; nothing of this machine's environment goes in but CI.
+# inTree RELEASE CLONE COMMAND: runs a line of bash in the clone inside the tree. Of the environment it passes only CI.
 inTree() {
     local release=$1 clone=$2 command=$3
     # shellcheck disable=SC2016
@@ -61,7 +61,7 @@ inTree() {
         inTree "$trees/$release" "$clone" "$command" "$trees/packages-$release" "${CI:-}" </dev/null
 }
 
-# tryRelease RELEASE COMMAND...: the lines of bash in turn, in one fresh clone and one log; fails with the first that fails.
+# tryRelease RELEASE COMMAND...: runs the lines of bash in turn, in one clone with one log, up to the first that fails.
 tryRelease() {
     local release=$1 log=$trees/$1.log command clone failed=
     shift
@@ -85,7 +85,7 @@ tryRelease() {
     grep -E 'tests passed|ended|written' "$log" | tail -n 3 || true
 }
 
-# The stable or old release that this machine is not.
+# Prints the stable or old release that this computer does not run.
 otherRelease() {
     # shellcheck disable=SC1091
     case $(. /etc/os-release && echo "${VERSION_CODENAME:-}") in

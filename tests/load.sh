@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Runs the tests beside busy processes, for tests must not lean on a quiet machine: tests/load.sh [CTEST ARGUMENTS]
-# Eight processes keep the processors busy until the tests are over, MELTPOOL_LOAD sets another number. The tests are
-# those that ./test.sh has built. MELTPOOL_REPEAT=3 asks for three passes in a row.
+# Runs the tests next to busy processes, because tests must not rely on an idle computer: tests/load.sh [CTEST ARGUMENTS]
+# Starts eight busy processes, or MELTPOOL_LOAD of them, until the tests end. Runs the tests that ./test.sh has built,
+# MELTPOOL_REPEAT times in a row.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 [ -e build/release/CTestTestfile.cmake ] || {

@@ -6,8 +6,8 @@ namespace meltpool {
 
 namespace {
 
-constexpr const char* kFile = "Record of an attempt, which the trainer or a run has written";
-constexpr const char* kLesson = "Name or TOML file of the attempt's lesson, where it is not in the catalogue";
+constexpr const char* kFile = "Record of an attempt, written by the trainer or a run";
+constexpr const char* kLesson = "Name or TOML file of the attempt's lesson, if it is not in the catalogue";
 
 void addReplay(CLI::App& app, AttemptArguments& arguments) {
     ReplayRequest& r = arguments.replay;
@@ -42,11 +42,13 @@ void addCompare(CLI::App& app, AttemptArguments& arguments) {
     constexpr const char* kSide = "Record of an attempt, which is welded again, or the folder of a run";
     compare->add_option("A", c.first, kSide)->required();
     compare->add_option("B", c.second, kSide)->required();
-    compare->add_option("--out", c.folder, "Folder for comparison.html and what is welded")
+    compare->add_option("--out", c.folder, "Folder for comparison.html and the welded attempts")
         ->required()
         ->type_name("DIR");
     compare->add_option("--lesson", c.lesson, kLesson)->type_name("LESSON");
-    compare->add_option("--pictures", c.picturesEvery, "Time between pictures of what is welded, s; 0: one at the end")
+    compare
+        ->add_option("--pictures", c.picturesEvery,
+                     "Time between pictures of the welded attempts, s; 0: one at the end")
         ->type_name("EVERY_S");
     compare->add_option("--size", c.size, "Size of the pictures, pixels")->type_name("WxH");
     compare->add_flag("--no-page", arguments.noPage, "Do not write comparison.html");

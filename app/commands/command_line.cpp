@@ -108,13 +108,14 @@ void addRun(CLI::App& app, Arguments& arguments) {
     run->add_option("--sound", r.sound, "Write the sound of the weld into this WAV file")->type_name("FILE");
     run->add_option("--mesh", r.mesh, "Write the surface of the metal at the end here: .glb, .gltf or .ply")
         ->type_name("FILE");
-    run->add_flag(
-        "--video", r.video,
-        "Make a time-lapse of the pictures' size: video.mp4 where ffmpeg is in PATH, else video-000000.png, ..");
-    run->add_option("--video-rate", r.videoRate, "Pictures of a second of the time-lapse; 30")->type_name("N");
-    run->add_option("--video-speed", r.videoSpeed, "Simulated seconds in each second of the time-lapse; 4")
+    run->add_flag("--video", r.video,
+                  "Make a time-lapse of the pictures' size: video.mp4 if ffmpeg is in PATH, else video-000000.png, ..");
+    run->add_option("--video-rate", r.videoRate, "Pictures per second of the time-lapse; by default 30")
+        ->type_name("N");
+    run->add_option("--video-speed", r.videoSpeed, "Simulated seconds per second of the time-lapse; by default 4")
         ->type_name("TIMES");
-    run->add_option("--turntable", r.turntable, "Take so many pictures round the finished piece: turntable-000.png, ..")
+    run->add_option("--turntable", r.turntable,
+                    "Take this many pictures round the finished piece: turntable-000.png, ..")
         ->type_name("N");
     run->add_option("--set", r.sets, "Set a value (meltpool lessons LESSON); may be given again")
         ->type_name("KEY=VALUE")
@@ -128,7 +129,7 @@ void addRecordings(CLI::App& app, RecordingsRequest& r) {
         "--csv", r.table, "Write one table of all attempts with their results; FILE OUT: the steps of one recording");
     table->type_name("[FILE] OUT")->expected(1, 2);
     recordings->add_flag("--json", r.json, "Print the list as JSON")->excludes(table);
-    recordings->add_option("--check", r.checked, "Tell how much of a recording is whole")
+    recordings->add_option("--check", r.checked, "Say how much of a recording is whole")
         ->type_name("FILE")
         ->excludes(table);
 }
@@ -165,15 +166,14 @@ void addOthers(CLI::App& app, Arguments& arguments) {
         ->required();
     check->add_option("--junit", arguments.check.junit, "Write the results into this file")->type_name("FILE");
     CLI::App* report = app.add_subcommand("report", "Make one HTML page of each attempt");
-    report->add_option("DIR", arguments.report.sources, "Folder that a run has written, or an attempt's record (.csv)")
-        ->required();
+    report->add_option("DIR", arguments.report.sources, "Folder of a run, or an attempt's record (.csv)")->required();
     report
         ->add_option("--out", arguments.report.page,
                      "The page; by default report.html in the folder, or beside the record under its name")
         ->type_name("FILE");
     report
         ->add_option("--lesson", arguments.report.lesson,
-                     "Lesson of the records, a TOML file, where the catalogue does not have it")
+                     "Lesson of the records, a TOML file, if it is not in the catalogue")
         ->type_name("LESSON");
     addRecordings(app, arguments.recordings);
     app.add_subcommand("doctor", "List the parts that this computer has, and missing ones with their cure")
@@ -323,7 +323,7 @@ void declare(CLI::App& app, Arguments& arguments) {
     for (const char* command :
          {"run", "replay", "compare", "demonstration", "check", "report", "history", "recordings", "validate"})
         app.get_subcommand(command)->add_flag("--quiet", arguments.quiet,
-                                              "Say only what is wrong, and the path of the result");
+                                              "Print only errors, and the path of the result");
     app.footer(footer()); // last: commands would inherit it
 }
 

@@ -20,9 +20,9 @@ inline constexpr std::array<NamedText, 3> kExitCodes{{
 
 inline constexpr std::array<NamedText, 6> kVariables{{
     {"MELTPOOL_LANGUAGE",
-     "Language of the sentences, such as de; else the system's, where it has a file, else English"},
+     "Language of the program, such as de; else the system's if there is a file for it, else English"},
     {"MELTPOOL_LESSONS", "Folder of a school's lessons"},
-    {"MELTPOOL_DATA", "Folder of the program's shaders and data, where they are not beside the program"},
+    {"MELTPOOL_DATA", "Folder of the program's shaders and data, if they are not next to the program"},
     {"XDG_CONFIG_HOME", "Settings and best scores are in its folder meltpool; else in ~/.config/meltpool"},
     {"XDG_DATA_HOME", "Recordings, pages and own lessons are in its folder meltpool; else in ~/.local/share/meltpool"},
     {"XDG_CACHE_HOME", "Compiled shaders are in its folder meltpool; else in ~/.cache/meltpool"},
@@ -34,10 +34,10 @@ inline constexpr std::array<NamedText, 6> kExamples{{
     {"meltpool run tee-fillet --out fillet --pictures 1",
      "Weld the demonstration of a lesson without a screen, with a picture each second, into the folder fillet."},
     {"meltpool run gmaw-bead --out slow --torch path.csv --set voltage=22",
-     "Weld a torch path of one's own with another voltage."},
+     "Weld your own torch path with another voltage."},
     {"meltpool lessons gmaw-bead", "List the values that --set takes."},
     {"meltpool replay weld.meltrec --out faster --what-if speed=1.2",
-     "Weld a kept attempt as it was and a fifth faster, and compare both."},
+     "Weld a recorded attempt again, then a fifth faster, and compare both."},
     {"meltpool recordings --csv class.csv", "Write all attempts with their scores into one table."},
 }};
 

@@ -95,8 +95,7 @@ WeldedStretch weldedStretch(const Lesson& lesson) {
     const auto pulled = [](const TorchSample& torch) { return torch.trigger > 0; };
     const auto first = std::find_if(samples.begin(), samples.end(), pulled);
     if (first == samples.end())
-        throw InputError(lesson.torchFile, 0,
-                         "has no moment with a pulled trigger; expected an attempt that welds something");
+        throw InputError(lesson.torchFile, 0, "never pulls the trigger; expected an attempt that welds");
     WeldedStretch stretch;
     stretch.firstPull = first->time;
     const double lead = first->time - kDemonstrationLead;

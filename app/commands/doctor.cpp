@@ -57,7 +57,8 @@ void inspectDriver(std::vector<Finding>& findings) {
             findings.push_back({advice->about, State::note, advice->found, advice->remedy});
         findings.push_back(
             {"automatic detail of pictures", State::good,
-             info.software ? "low, as the processor draws" : "measured when a lesson begins, from high down", ""});
+             info.software ? "low, as the processor draws" : "measured at the start of each lesson, from high to low",
+             ""});
         for (const Limit& limit : kLimits) {
             GLint64 value = 0;
             glGetInteger64v(limit.query, &value);
@@ -119,7 +120,7 @@ void inspectSound(std::vector<Finding>& findings) {
     } catch (const std::exception& error) {
         findings.push_back({"sound", State::note, error.what(),
                             "a sound card or sound server; without one the "
-                            "trainer is silent, and captions tell what is heard"});
+                            "trainer is silent, and captions describe the sounds"});
     }
 }
 

@@ -337,8 +337,8 @@ void requireFinite(const Trainer& trainer) {
     if (broken == 0) return;
     char sentence[200];
     std::snprintf(sentence, sizeof sentence,
-                  "the metal stopped being finite at %.3f s (%zu times); a shorter time step, less heat or a lower "
-                  "gas stiffness may keep it stable",
+                  "the metal became unstable at %.3f s (%zu particle states were not finite); expected a shorter time "
+                  "step, less heat or a lower gas stiffness",
                   trainer.time(), broken);
     throw RuntimeFault(sentence);
 }

@@ -154,7 +154,7 @@ std::string cell(const Json& value) {
 void tabulate(const std::filesystem::path& folder, const std::filesystem::path& table) {
     if (isRecording(table))
         throw InputError(table, 0,
-                         "is a recording; expected the table's name behind it, or alone a name that ends in .csv");
+                         "is a recording; expected a table's name after it, or a single name that ends in .csv");
     std::string text;
     for (const char* column : kColumns)
         text += (text.empty() ? "" : ",") + std::string(column);
@@ -204,7 +204,7 @@ bool runRecordings(const RecordingsRequest& request) {
     if (request.table.size() == 2) return writeTable(request.table[0], request.table[1]);
     const std::filesystem::path folder = request.folder.empty() ? recordingsFolder() : request.folder;
     if (!request.folder.empty() && !std::filesystem::is_directory(folder))
-        throw InputError(folder, 0, "is no folder; expected one of recordings");
+        throw InputError(folder, 0, "is not a folder; expected a folder of recordings");
     if (request.table.size() == 1)
         tabulate(folder, request.table[0]);
     else

@@ -37,8 +37,7 @@ Lesson requestedAttempt(const ReplayRequest& request) {
     setPictures(lesson, request.size, request.picturesEvery);
     setView(lesson, request.views);
     if (request.seek.empty()) return lesson;
-    if (!request.whatIf.empty())
-        throw InputError("--seek goes with the attempt as it was; expected it without --what-if");
+    if (!request.whatIf.empty()) throw InputError("--seek and --what-if exclude each other; expected one of them");
     seek(lesson, request.seek);
     return lesson;
 }

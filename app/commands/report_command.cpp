@@ -28,7 +28,7 @@ RunResults resultsIn(const fs::path& source, const std::string& lesson) {
     const auto attempt = readRecordedAttempt(source);
     if (!attempt)
         throw InputError(source, 1,
-                         "is no record of an attempt; expected one, or the folder of a run, or its result.json");
+                         "is not the record of an attempt; expected a record, the folder of a run, or its result.json");
     const LessonFolders folders = LessonFolders::ofUser();
     if (!lesson.empty()) return readRecordResults(source, namedLesson(lesson, folders));
     const Lesson own = findLessonOf(*attempt, folders);
@@ -62,7 +62,7 @@ void requireNoSource(const fs::path& page, const fs::path& source) {
 void writeReports(const ReportRequest& request) {
     if (request.sources.size() > 1 && !request.page.empty())
         throw InputError("--out names one page, but there are " + std::to_string(request.sources.size()) +
-                         " results; expected one result with --out, or none of it");
+                         " results; expected one result, or no --out");
     for (const fs::path& source : request.sources) {
         const fs::path page = request.page.empty() ? pageOf(source) : request.page;
         requireNoSource(page, source);

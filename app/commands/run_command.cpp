@@ -59,8 +59,9 @@ void requireNoSource(const char* option, const std::filesystem::path& written,
 void requireSound(const std::filesystem::path& sound, const Lesson& lesson) {
     if (sound.empty()) return;
     if (lesson.model != LessonModel::Weld)
-        throw InputError(sound, 0,
-                         "--sound asks for the sound of a classic lesson, whose metal has no arc; expected a weld");
+        throw InputError(
+            sound, 0,
+            "--sound is for weld lessons, and a classic lesson has no arc; expected a weld lesson, or no --sound");
     requireNoSource("--sound", sound, lessonSources(lesson));
     requireWritable(sound);
 }
@@ -70,7 +71,7 @@ TorchPath requestedGhost(const RunRequest& request, const Lesson& lesson) {
     if (request.ghost.empty()) return {};
     if (lesson.model != LessonModel::Weld)
         throw InputError("--ghost is for weld lessons, and " + quote(lesson.key) +
-                         " is none; expected a lesson with a seam, or no --ghost");
+                         " is not one; expected a lesson with a seam, or no --ghost");
     TorchPath torch = ghostTorch(lesson, request.ghost);
     if (!torch.firstPull())
         throw InputError(request.ghost, 0, "never pulls the trigger; expected a path that welds, for --ghost");
@@ -85,8 +86,7 @@ FilmRequest requestedFilm(const RunRequest& request) {
     if (!request.videoSpeed.empty()) setParameter(list, "speed", request.videoSpeed, "--video-speed");
     if (!request.turntable.empty()) setParameter(list, "turntable", request.turntable, "--turntable");
     if (!film.video && !(request.videoRate.empty() && request.videoSpeed.empty()))
-        throw InputError("--video-rate and --video-speed are of a time-lapse, which is not asked for; expected --video "
-                         "too");
+        throw InputError("--video-rate and --video-speed are for a time-lapse; expected --video too");
     return film;
 }
 

@@ -249,7 +249,7 @@ std::string completionScript(const CLI::App& app, std::string_view shell) {
     if (shell == "bash") return bashScript(commands);
     if (shell == "zsh") return zshScript(commands);
     if (shell == "fish") return fishScript(commands);
-    throw InputError("completion for " + quote(shell) + " is not made; expected one of bash, zsh, fish");
+    throw InputError("unknown shell " + quote(shell) + "; expected one of bash, zsh, fish");
 }
 
 } // namespace meltpool

@@ -57,17 +57,17 @@ std::optional<float> bearableSpacing(std::span<const WeldSpeed> speeds) {
 }
 
 Finding speedFinding(std::span<const WeldSpeed> speeds) {
-    Finding finding{"speed of a weld", Finding::State::note, "the metal's steps alone, of real time, at ", ""};
+    Finding finding{"speed of a weld", Finding::State::note, "metal alone, share of real time, at ", ""};
     for (size_t i = 0; i < speeds.size(); ++i)
         finding.found += (i == 0 ? "" : ", at ") + speedText(speeds[i]);
     const std::optional<float> spacing = bearableSpacing(speeds);
     if (spacing == speeds.front().spacingMm)
         finding.state = Finding::State::good;
     else if (spacing)
-        finding.remedy = "welds at the clock's speed with \"Particle spacing\" " + formatNumber(*spacing) +
+        finding.remedy = "set \"Particle spacing\" to " + formatNumber(*spacing) +
                          " mm on a lesson's first page; the window chooses its picture by itself";
     else
-        finding.remedy = "a graphics card; until then lessons run slower than the clock, and the window says how much";
+        finding.remedy = "a graphics card; without one lessons run slower than the clock";
     return finding;
 }
 

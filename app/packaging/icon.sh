@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Draws the program's icon, a torch's arc on a glowing pool, with ImageMagick: app/packaging/icon.sh OUTPUT.ico
+# Draws the program's icon (a torch's arc on a glowing pool) with ImageMagick: app/packaging/icon.sh OUTPUT.ico
 set -euo pipefail
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

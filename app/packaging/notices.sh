@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Prints the licence notices of what a program is linked with: app/packaging/notices.sh COPYRIGHT_FILE...
-# A file is named by its own name, or by that of its folder where it is called "copyright".
+# Prints the licence notices of the linked libraries: app/packaging/notices.sh COPYRIGHT_FILE...
+# A heading has the file's name; for a file called "copyright" that of its folder.
 set -euo pipefail
 echo 'Meltpool holds, or was made with, the following works. Their authors and conditions:'
 for file in "$@"; do

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Makes the program for Windows, its zip and its installer, in build/windows: app/packaging/windows.sh [--tests]
-# --tests also compiles the tests and installs what running them takes. Installs what is missing, as ./run.sh does.
+# Builds the Windows program, its zip and its installer in build/windows: app/packaging/windows.sh [--tests]
+# --tests also builds the tests and installs Wine. Installs missing packages, as ./run.sh does.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 # shellcheck source=app/setup.sh
@@ -16,10 +16,10 @@ if [ "${1:-}" = --tests ]; then
 fi
 meltpoolInstall "${kinds[@]}"
 windowsLibraries
-# Tests link one program for each suite; the release holds two programs.
+# Tests are one program for each suite; a release is two programs.
 meltpoolBuild windows -DMELTPOOL_TESTS=$tests
 
-# What the zip holds lies in one folder; the installer takes the same.
+# Zip and installer hold this folder.
 version=$(sed -n 's/^project(meltpool VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 name=meltpool-$version-windows
 folder=build/windows/package/$name

@@ -1,25 +1,24 @@
-# The libraries of the Windows program, made once of the distribution's source packages. Sourced by windows.sh, not run.
+# Libraries of the Windows program, built once from the distribution's source packages. Sourced by windows.sh, not run.
 
 windowsCache=${XDG_CACHE_HOME:-$HOME/.cache}/meltpool/windows
 windowsTriple=x86_64-w64-mingw32
 windowsSources=app/packaging/windows_sources.txt
 
-# Packages without code of their own to compile, by the name that CMake asks for, and their folder below /usr/include.
+# Header-only packages: Debian package, CMake package, CMake target, folder below /usr/include.
 windowsHeaders=(
     "libglm-dev glm glm::glm glm" "libtomlplusplus-dev tomlplusplus tomlplusplus::tomlplusplus toml++"
     "libcli11-dev CLI11 CLI11::CLI11 CLI" "nlohmann-json3-dev nlohmann_json nlohmann_json::nlohmann_json nlohmann"
     "catch2 Catch2 Catch2::Catch2 catch2" "libstb-dev stb stb::stb stb" "libopenal-dev OpenAL OpenAL::OpenAL AL"
 )
 
-# windowsApt COMMAND...: apt-get with the source entries of the machine's own archive, kept in the user's cache, so that
-# the machine's settings stay as they are.
+# windowsApt COMMAND...: apt-get with source entries in the user's cache, so that the system's apt settings stay unchanged.
 windowsApt() {
     local apt=$windowsCache/apt
     apt-get -o Dir::Etc::SourceList=/dev/null -o Dir::Etc::SourceParts="$apt/sources" -o Dir::State::Lists="$apt/lists" \
         -o Dir::Cache="$apt/cache" -o APT::Sandbox::User="$(id -un)" -qq "$@"
 }
 
-# Writes the machine's archive entries again, asking for source packages.
+# Copies the system's archive entries, with source packages for binary ones.
 windowsSourceEntries() {
     local apt=$windowsCache/apt entries
     rm -rf "$apt/sources"
@@ -34,8 +33,8 @@ windowsSourceEntries() {
     done
 }
 
-# windowsFetch FOLDER: brings the source packages of windows_sources.txt there, checks and unpacks them. Each lies in a
-# folder of its package's name.
+# windowsFetch FOLDER: downloads the source packages of windows_sources.txt into FOLDER, checks their hashes and unpacks
+# each into a folder with the package's name.
 windowsFetch() {
     local folder=$1 package file wanted
     mapfile -t wanted < <(awk '!/^#/ { print $1 "=" $2 }' "$windowsSources" | sort -u)
@@ -58,7 +57,7 @@ windowsFetch() {
     done
 }
 
-# windowsCmake NAME SOURCE OPTION...: builds and installs a library that comes with CMake files.
+# windowsCmake NAME SOURCE OPTION...: builds and installs a library that has CMake files.
 windowsCmake() {
     local name=$1 source=$2 log=$windowsWork/$1.log
     shift 2
@@ -74,7 +73,7 @@ windowsCmake() {
     }
 }
 
-# windowsPackage NAME TARGET LINES...: a CMake package of one interface library; LINES are put into its file.
+# windowsPackage NAME TARGET LINES...: writes a CMake package of one interface library, with LINES in its file.
 windowsPackage() {
     local folder=$windowsPrefix/lib/cmake/$1 name=$1 target=$2
     shift 2
@@ -88,7 +87,7 @@ windowsPackage() {
     } >"$folder/${name}Config.cmake"
 }
 
-# The headers of the distribution's packages, beside which the compiler must not see those of the machine itself.
+# Copies the headers: a path to /usr/include would let the cross compiler see the system's own headers too.
 windowsCopyHeaders() {
     local package name target folder
     for entry in "${windowsHeaders[@]}"; do
@@ -99,7 +98,7 @@ windowsCopyHeaders() {
     done
 }
 
-# The loader's CMake files name a library that they do not look for.
+# Defines JsonCpp, which the loader's CMake files name without searching for it.
 windowsJsonOfOpenXr() {
     cat >>"$windowsPrefix/cmake/OpenXRConfig.cmake" <<'END'
 if(NOT TARGET JsonCpp::JsonCpp)
@@ -109,7 +108,7 @@ endif()
 END
 }
 
-# Dear ImGui has no CMake files; its package says which of its sources belong together.
+# Compiles Dear ImGui, which has no CMake files, from the sources that its Debian package compiles.
 windowsImgui() {
     local source=$1 file objects=()
     echo '  imgui'
@@ -126,7 +125,7 @@ windowsImgui() {
         'target_link_libraries(imgui::imgui INTERFACE ${CMAKE_CURRENT_LIST_DIR}/../../libimgui.a imm32 dwmapi gdi32)'
 }
 
-# The copyright files of all that the program is linked with, for the notices that come with it.
+# Copies the copyright files of all linked libraries; notices.sh prints them.
 windowsKeepNotices() {
     local sources=$1 folder=$windowsPrefix/share/notices package entry
     mkdir -p "$folder"
@@ -136,7 +135,7 @@ windowsKeepNotices() {
     done
     for entry in "${windowsHeaders[@]}"; do
         package=${entry%% *}
-        case $package in catch2 | libopenal-dev) continue ;; esac # not in the program
+        case $package in catch2 | libopenal-dev) continue ;; esac # not linked
         cp "/usr/share/doc/$package/copyright" "$folder/$package"
     done
     for package in libz-mingw-w64-dev mingw-w64-common gcc-mingw-w64-base fonts-open-sans fonts-dejavu-core; do
@@ -144,8 +143,8 @@ windowsKeepNotices() {
     done
 }
 
-# Makes the libraries unless they are there; sets windowsPrefix. They are made again when their list, this file or the
-# compiler changes.
+# Builds the libraries unless they exist, and sets windowsPrefix. A change of their list, of this file or of the compiler
+# rebuilds them.
 windowsLibraries() {
     local key sources
     key=$(cat "$windowsSources" app/packaging/windows_libraries.sh app/packaging/windows_toolchain.cmake \

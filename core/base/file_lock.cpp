@@ -27,7 +27,8 @@ constexpr std::chrono::milliseconds kLook{10};    ///< pause between two attempt
 constexpr std::chrono::milliseconds kTurn{3'000}; ///< longest wait; much longer than a small file takes on a slow share
 
 [[noreturn]] void failAsHeld(const std::filesystem::path& place) {
-    throw InputError(place, 0, "another program is writing here; expected a place of its own, or to wait for its end");
+    throw InputError(place, 0,
+                     "another program is writing here; expected another place, or a wait until that program ends");
 }
 
 #ifndef _WIN32

@@ -133,10 +133,10 @@ std::string writeExpectation(int code) {
 #endif
         return "expected free space";
     case EIO:
-        return "expected a disk or share that works";
+        return "expected a working disk or share";
     case EMFILE:
     case ENFILE:
-        return "expected a system with room for another open file";
+        return "expected fewer open files";
     case ENOMEM:
         return "expected free memory";
     default:
@@ -165,7 +165,7 @@ void writeFile(const fs::path& file, std::string_view bytes) {
     const bool written = stream.write(bytes) && stream.sync();
     if (!stream.close() || !written) failToWrite(file, stream.code());
     fs::rename(draft.name, target, failure);
-    if (failure) throw RuntimeFault(file.string() + ": cannot be given its name: " + failure.message());
+    if (failure) throw RuntimeFault(file.string() + ": the finished file cannot be renamed: " + failure.message());
     draft.renamed = true;
 }
 

@@ -196,7 +196,7 @@ std::string_view TableReader::quotedCell(Place& place) {
     while (!atRowEnd(place) && isBlank(text_[place.at]) && text_[place.at] != form_.separator)
         ++place.at;
     if (!atRowEnd(place) && text_[place.at] != form_.separator)
-        fail(start.line, "the text goes on behind the quotes of cell " + std::to_string(cells_.size() + 1) +
+        fail(start.line, "text follows the closing quote of cell " + std::to_string(cells_.size() + 1) +
                              "; expected the next separator, and '\"\"' for a quote within the text");
     return trimText(unquoted_.emplace_back(std::move(cell)));
 }
@@ -219,13 +219,13 @@ std::optional<double> TableReader::number(std::string_view cell) {
     if (comma != std::string_view::npos && (point || cell.find(',', comma + 1) != std::string_view::npos)) {
         std::erase_if(text, [](char c) { return c == '.' || c == ','; });
         if (!parseDouble(text)) return std::nullopt; // no number with either mark
-        fail(line_, "has the number " + quote(cell) + "; expected one without a sign between its thousands");
+        fail(line_, "has the number " + quote(cell) + "; expected one without a thousands separator");
     }
     const std::optional<double> value = parseDouble(text);
     if (!value) return value;
     if (decimalComma_.value_or(!point) == point)
         fail(line_, "has the number " + quote(cell) + " below numbers with a decimal " + (point ? "comma" : "point") +
-                        "; expected the same decimal sign in the whole table, and none between thousands");
+                        "; expected the same decimal sign in the whole table, and no thousands separator");
     decimalComma_ = !point;
     form_.decimalComma = !point;
     return value;

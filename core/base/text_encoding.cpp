@@ -119,7 +119,7 @@ size_t utf8Length(std::string_view text) {
 DecodedText decodeText(std::string bytes, const std::filesystem::path& file) {
     const std::string_view all = bytes;
     if (all.starts_with(std::string_view("\xFF\xFE\0\0", 4)) || all.starts_with(std::string_view("\0\0\xFE\xFF", 4)))
-        throw InputError(file, 0, "is UTF-32; expected a text in UTF-8, or in UTF-16 with its mark");
+        throw InputError(file, 0, "is UTF-32; expected UTF-8, or UTF-16 with a byte order mark");
     const bool little = all.starts_with("\xFF\xFE");
     if (little || all.starts_with("\xFE\xFF")) {
         if (all.size() % 2 != 0)
@@ -132,7 +132,7 @@ DecodedText decodeText(std::string bytes, const std::filesystem::path& file) {
     }
     if (looksLikeUtf16(all))
         throw InputError(file, 0,
-                         "looks like UTF-16 without a mark at its beginning; expected UTF-8, or UTF-16 with its mark");
+                         "looks like UTF-16 without a byte order mark; expected UTF-8, or UTF-16 with that mark");
     if (utf8Length(all) < all.size()) return {fromWindows(all), TextEncoding::windows1252};
     return {std::move(bytes), TextEncoding::utf8};
 }

@@ -157,9 +157,10 @@ void requireUtf8(std::string_view text, const std::filesystem::path& file) {
     const size_t length = utf8Length(text);
     if (length == text.size()) return;
     const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(length), '\n');
-    throw InputError(file, static_cast<int>(line),
-                     "has a letter that is no UTF-8, such as one of Latin-1 or Windows-1252; expected the file saved "
-                     "as UTF-8");
+    throw InputError(
+        file, static_cast<int>(line),
+        "has a character that is not UTF-8, such as one of Latin-1 or Windows-1252; expected the file saved "
+        "as UTF-8");
 }
 
 } // namespace

@@ -57,7 +57,7 @@ HeadlessContext::HeadlessContext(bool debug) : handles_(std::make_unique<Handles
     wglMakeCurrent(nullptr, nullptr);
     if (old != nullptr) wglDeleteContext(old);
     if (handles_->context == nullptr || wglMakeCurrent(deviceContext, handles_->context) == FALSE)
-        throw InputError("no OpenGL 4.5 core context could be made, this machine offers " + offered + "; " + kRemedy);
+        throw InputError("no OpenGL 4.5 core context could be made: this computer offers " + offered + "; " + kRemedy);
     info_ = useCurrentContext(debug);
 }
 

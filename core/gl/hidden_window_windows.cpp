@@ -42,7 +42,7 @@ HiddenWindow::HiddenWindow(int pixelFormat) {
     const HWND window = CreateWindowExW(0, kClass, L"Meltpool", WS_POPUP, 0, 0, 1, 1, nullptr, nullptr,
                                         GetModuleHandleW(nullptr), nullptr);
     if (window == nullptr)
-        throw InputError("no window can be made, not even a hidden one; expected a desktop session of Windows");
+        throw InputError("the program cannot make a hidden window; expected a desktop session of Windows");
     window_ = window;
     const HDC context = GetDC(window);
     deviceContext_ = context;

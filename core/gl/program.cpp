@@ -181,7 +181,8 @@ void ShaderLibrary::build(Entry& entry) const {
     GLint linked = GL_FALSE;
     glGetProgramiv(program.name(), GL_LINK_STATUS, &linked);
     if (linked == GL_FALSE)
-        throw InputError(root_ / entry.files.front(), 0, "the program does not link: " + linkLog(program.name()));
+        throw InputError(root_ / entry.files.front(), 0,
+                         "the shader program does not link: " + linkLog(program.name()));
     for (const ShaderSource& source : sources)
         checkBlocks(program.name(), source);
     program.listUniforms();

@@ -16,7 +16,8 @@ Readback::Readback(std::string_view label, size_t bytes) : bytes_(bytes) {
     constexpr GLbitfield kFlags = GL_MAP_READ_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
     glNamedBufferStorage(name, static_cast<GLsizeiptr>(bytes), nullptr, kFlags | GL_CLIENT_STORAGE_BIT);
     mapped_ = glMapNamedBufferRange(name, 0, static_cast<GLsizeiptr>(bytes), kFlags);
-    if (mapped_ == nullptr) throw RuntimeFault("the graphics driver cannot map '" + std::string(label) + "'");
+    if (mapped_ == nullptr)
+        throw RuntimeFault("the graphics driver cannot map the buffer '" + std::string(label) + "'");
 }
 
 Readback::~Readback() {

@@ -56,7 +56,9 @@ class Assembler {
         fs::path file = (from.parent_path() / name).lexically_normal();
         if (!fs::exists(file)) file = (root_ / name).lexically_normal();
         if (!fs::exists(file))
-            throw InputError(from, lineNumber, "the included file '" + name.string() + "' does not exist");
+            throw InputError(from, lineNumber,
+                             "the included file '" + name.string() +
+                                 "' does not exist; expected it next to this file or in the folder shaders");
         const auto& files = source_.files;
         if (std::find(files.begin(), files.end(), file) == files.end()) append(file);
     }

@@ -12,7 +12,7 @@ namespace meltpool::gl {
 namespace {
 
 [[noreturn]] void refuse(const std::string& found) {
-    throw InputError("the saved state " + found + "; expected one that this program saved of this lesson");
+    throw InputError("the saved state " + found + "; expected one of this lesson, saved by this program");
 }
 
 } // namespace
@@ -46,7 +46,7 @@ void StateArchive::plain(void* data, size_t bytes) {
 void StateArchive::value(bool& each) {
     auto byte = static_cast<std::uint8_t>(each);
     plain(&byte, 1);
-    if (byte > 1) refuse("has " + std::to_string(byte) + " where yes or no stands");
+    if (byte > 1) refuse("has " + std::to_string(byte) + " in place of yes or no");
     each = byte != 0;
 }
 
@@ -54,7 +54,7 @@ void StateArchive::count(size_t& number, size_t most) {
     std::uint64_t wide = number;
     plain(&wide, sizeof wide);
     if (restores() && wide > most)
-        refuse("counts " + std::to_string(wide) + " where there can be " + std::to_string(most));
+        refuse("counts " + std::to_string(wide) + ", above the limit of " + std::to_string(most));
     number = static_cast<size_t>(wide);
 }
 
@@ -78,7 +78,7 @@ void StateArchive::copyTo(const Buffer& buffer, size_t bytes, size_t begin) {
 }
 
 void StateArchive::region(GLuint buffer, const StatePart& as) {
-    if (parts_ == nullptr) throw RuntimeFault("a state of numbers alone was to hold a GPU buffer");
+    if (parts_ == nullptr) throw RuntimeFault("a saved state of numbers cannot hold a GPU buffer");
     parts_->parts.push_back(as);
     parts_->parts.back().onGpu = true;
     parts_->regions.push_back({buffer, as.bytes, directMemory(buffer)});
@@ -89,11 +89,11 @@ void StateArchive::part(const Buffer& buffer, const StatePart& as) {
     size_t size = bytes;
     count(size, bytes);
     if (!restores()) {
-        if (bytes > buffer.bytes()) throw RuntimeFault("a state was to hold more of a GPU buffer than there is");
+        if (bytes > buffer.bytes()) throw RuntimeFault("a saved state cannot hold more bytes than its GPU buffer has");
         return region(buffer.name(), as);
     }
     if (size != bytes || bytes > buffer.bytes())
-        refuse("has " + std::to_string(size) + " bytes of a buffer, not " + std::to_string(bytes));
+        refuse("has " + std::to_string(size) + " bytes for a buffer of " + std::to_string(bytes));
     const size_t begin = at_;
     take(bytes);
     copyTo(buffer, bytes, begin);

@@ -196,7 +196,7 @@ TEST_CASE("what cannot be replayed, compared or shown is refused in one sentence
     refused("replay" + quoted(strange), "expected --lesson");
     refused("replay" + quoted(good) + "--lesson classic", "is a record of lesson 'gmaw-bead'");
     refused("replay" + quoted(good) + "--what-if colour=red", "expected one of speed, stick_out");
-    refused("replay" + quoted(good) + "--what-if speed=0.5 --seek 0", "without --what-if");
+    refused("replay" + quoted(good) + "--what-if speed=0.5 --seek 0", "--seek and --what-if exclude each other");
     refused("replay" + quoted(good) + "--view voltage=3", "expected KEY=VALUE of what pictures show");
     refused("compare" + quoted(good) + quoted(folder / "missing.csv"), "missing.csv");
     refused("compare" + quoted(folder) + quoted(folder), "holds no result.json");
@@ -206,6 +206,6 @@ TEST_CASE("what cannot be replayed, compared or shown is refused in one sentence
         CHECK_THAT(outcome.errors, containsText(sentence));
     };
     noDemonstration("demo.txt", "ends in .csv");
-    noDemonstration("demo.csv", "no moment with a pulled trigger");
+    noDemonstration("demo.csv", "never pulls the trigger");
     CHECK_FALSE(fs::exists(folder / "demo.csv"));
 }

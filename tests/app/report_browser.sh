@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# The page of a run in a real browser: report_browser.sh MELTPOOL [FOLDER]
+# Opens the page of a run in a real browser: report_browser.sh MELTPOOL [FOLDER]
 # Prints it as PDF, which must have two pages, and takes screenshots in mm and of a narrow window, without a network.
-# Exit code 77 where no browser is installed. With FOLDER the files stay there to be looked at.
+# Exits with 77 if no browser is installed. With FOLDER its files stay there.
 set -euo pipefail
 meltpool=$1
 folder=${2:-}

@@ -168,7 +168,7 @@ TEST_CASE("a disk that fails is not told as a full one", "[base]") {
     failedSync = EIO;
     CHECK_THROWS_AS(writeFile(folder / "kept.txt", "new"), RuntimeFault);
     CHECK_THROWS_WITH(writeFile(folder / "kept.txt", "new"), containsText("kept.txt: cannot be written to its end") &&
-                                                                 containsText("expected a disk or share that works") &&
+                                                                 containsText("expected a working disk or share") &&
                                                                  !containsText("free space"));
     failedSync = 0;
     CHECK(readTextFile(folder / "kept.txt") == "old");

@@ -57,7 +57,7 @@ TEST_CASE("quoted cells hold separators, quotes and ends of line", "[base]") {
     CHECK(itemsOf(tableOf("a;b\n\"1;\"\"x\"\"\";\"two\nlines\"\n 3 ; \"4\" \n")) ==
           Items{"2:1;\"x\"|two\nlines", "4:3|4"});
     CHECK_THAT(refusalOf("a,b\n1,\"2\n3,4\n"), containsText("t.csv:2: a quote in cell 2 does not end"));
-    CHECK_THAT(refusalOf("a,b\n\"1\"2,3\n"), containsText("t.csv:2: the text goes on behind the quotes of cell 1"));
+    CHECK_THAT(refusalOf("a,b\n\"1\"2,3\n"), containsText("t.csv:2: text follows the closing quote of cell 1"));
     CHECK(itemsOf(tableOf("a,b\n1\",2\n")) == Items{"2:1\"|2"}); // inches: no quote begins inside a cell
 }
 
@@ -87,10 +87,10 @@ TEST_CASE("numbers have a point or a comma, one of them in the whole table", "[b
     TableReader point = tableOf("a;b\n");
     CHECK(point.number("0.5") == 0.5);
     CHECK_THROWS_AS(point.number("0,5"), InputError);
-    CHECK_THROWS_WITH(point.number("1,234.5"), containsText("between its thousands"));
+    CHECK_THROWS_WITH(point.number("1,234.5"), containsText("without a thousands separator"));
 }
 
-TEST_CASE("texts are UTF-8, UTF-16 with its mark or Windows-1252", "[base]") {
+TEST_CASE("texts are UTF-8, UTF-16 with a byte order mark or Windows-1252", "[base]") {
     const auto decoded = [](std::string_view bytes) { return decodeText(std::string(bytes), "t.txt"); };
     CHECK(decoded("\xEF\xBB\xBFgr\xC3\xBCn").text == "gr\xC3\xBCn");
     CHECK(decoded("gr\xFCn \x80").text == "gr\xC3\xBCn \xE2\x82\xAC");
@@ -99,7 +99,8 @@ TEST_CASE("texts are UTF-8, UTF-16 with its mark or Windows-1252", "[base]") {
           "a\xE2\x82\xAC\xF0\x9F\x98\x80");
     CHECK(decoded(std::string_view("\xFE\xFF\x00\x61\xD8\x3D", 6)).text == "a\xEF\xBF\xBD"); // half of a surrogate pair
     CHECK_THROWS_WITH(decoded("\xFF\xFE\x61"), containsText("t.txt: is UTF-16 and ends with half a character"));
-    CHECK_THROWS_WITH(decoded(std::string_view("a\0b\0c\0", 6)), containsText("looks like UTF-16 without a mark"));
+    CHECK_THROWS_WITH(decoded(std::string_view("a\0b\0c\0", 6)),
+                      containsText("looks like UTF-16 without a byte order mark"));
     CHECK(utf8Length("a\xC3\xBC\xC3") == 3);
     CHECK(utf8Length("\xC0\x80") == 0);         // overlong
     CHECK(utf8Length("\xED\xA0\x80") == 0);     // half of a surrogate pair

@@ -28,7 +28,7 @@ TEST_CASE("typographic quotes, a decimal comma and other encodings have a senten
                containsText("l.toml:2: has the number '5,5'; expected a decimal point"));
     CHECK_THAT(refusalOf("a = -0,25\n"), containsText("has the number '-0,25'"));
     CHECK_THAT(refusalOf("a = 1\ntitle = \"gr\xFCn\"\n"),
-               containsText("l.toml:2: has a letter that is no UTF-8, such as one of Latin-1"));
+               containsText("l.toml:2: has a character that is not UTF-8, such as one of Latin-1"));
     CHECK_THAT(refusalOf(std::string_view("\xFF\xFE"
                                           "a\0",
                                           4)),

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Prints counts of a source tree as JSON: folders, files, checks of the process, largest classes, hottest headers.
 #   tests/house/thermometers.sh [BUILD [TREE]]
-# BUILD: a folder with bin/test_house; build/release where it is left out. TREE: a checkout of any version; else this one.
+# BUILD: folder with bin/test_house, by default build/release. TREE: a checkout of any version, by default this one.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 build=$(realpath -m "${1:-$here/build/release}")

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Runs a test program that was built with the address sanitizer: leak_check.sh PROGRAM [ARGUMENTS]
-# At the end of a program with threads the leak sanitizer's tracer crashes now and then (google/sanitizers, issue 1353):
-# no leak is looked for, and its exit code takes the place of that of tests that passed. Then the program runs once
-# more, and this is told; a leak or a failed test stays a failure.
+# Runs a test program built with the address sanitizer: leak_check.sh PROGRAM [ARGUMENTS]
+# At the end of a program with threads the leak sanitizer's tracer sometimes crashes (google/sanitizers, issue 1353): it
+# finds no leaks, and its exit code replaces that of passed tests. Then the program runs once more, with a message. A leak
+# or a failed test stays a failure.
 set -uo pipefail
 output=$(mktemp)
 trap 'rm -f "$output"' EXIT

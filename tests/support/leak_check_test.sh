@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# leak_check.sh runs a program again when its leak check crashed after tests that passed, and only then.
+# Tests leak_check.sh: it repeats a program only if the leak check crashed after passed tests.
 set -euo pipefail
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 check=$(dirname "$0")/leak_check.sh
 
-# expect NAME CODE RUNS LINE...: a program that prints these lines and fails, unless it runs for the second time.
+# expect NAME CODE RUNS LINE...: checks exit code and number of runs of a program that prints the lines and fails in its
+# first run only.
 expect() {
     local name=$1 code=$2 runs=$3
     shift 3

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# Runs the program for Windows as a person would, under Wine and Xvfb: tests/windows/check.sh [CHECK...]
-# app/packaging/windows.sh --tests has made everything before. Without arguments all checks run; ./test.sh --windows
-# does that. Compares with the Linux program of build/release, or the one that MELTPOOL_LINUX names.
+# Uses the Windows program like a person, under Wine and Xvfb: tests/windows/check.sh [CHECK...]
+# Needs the results of app/packaging/windows.sh --tests; ./test.sh --windows runs both. Without arguments all checks run.
+# Compares with the Linux program of build/release, or with MELTPOOL_LINUX.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 root=$PWD
 linux=${MELTPOOL_LINUX:-build/release/bin/meltpool}
 work=$root/build/windows/check
-folder="$work/Größe und Länge" # what people call their folders
+folder="$work/Größe und Länge" # a folder name with spaces and umlauts
 program=
 failed=()
 
@@ -19,7 +19,7 @@ fail() {
     return 1
 }
 
-# runs CODE WORD...: the program ends with that code; its words are kept in $work/output and $work/errors.
+# runs CODE ARGUMENT...: checks the program's exit code; writes its output to $work/output and $work/errors.
 runs() {
     local wanted=$1 code=0
     shift
@@ -34,17 +34,17 @@ says() {
     grep -qF -- "$1" "$work/output" "$work/errors" || fail "not said: $1"
 }
 
-# value FILE KEY: a number or text of a result file.
+# value FILE KEY: prints a number or text of a result file.
 value() {
     sed -n "/^ *\"$2\": /{s/^ *\"$2\": \"\{0,1\}\([^\",]*\)\"\{0,1\},\{0,1\}\r\{0,1\}$/\1/p;q}" "$1"
 }
 
-# found CONDITION...: whether the user's folders under Wine hold such a file.
+# found CONDITION...: succeeds if the user's folders under Wine have a file that meets these conditions of find.
 found() {
     [ -n "$(find "$WINEPREFIX/drive_c/users" "$@" -print -quit)" ]
 }
 
-# agree A B KEY SHARE: the values of two result files differ by no more than this share.
+# agree A B KEY SHARE: checks that the values of two result files differ by at most this share.
 agree() {
     local a b
     a=$(value "$1" "$3") b=$(value "$2" "$3")
@@ -130,13 +130,13 @@ check_ctrl_c() {
     [ "$(value "$work/interrupted/result.json" finished)" = false ] || fail 'Ctrl-C did not end the run early'
 }
 
-# place NAME: where the middle of a control lies in the window, by the newest row of its telemetry.
+# place NAME: prints the middle of a control in the window, from the newest telemetry row.
 place() {
     tail -n 2 "$work/window.jsonl" 2>/dev/null | grep -o "\"$1\":\[[^]]*" | tail -n 1 | tr ':[,' '   ' |
         awk '{ printf "%d %d", $2 + $4 / 2, $3 + $5 / 2 }'
 }
 
-# open_window PROGRAM: starts the trainer's window on gmaw-bead and waits for its start menu; its number is in $window.
+# open_window PROGRAM: opens the trainer's window on gmaw-bead, waits for its start menu, sets $window to its number.
 open_window() {
     rm -f "$work/window.jsonl" "$work/window"
     wine "$1" --desktop --lesson gmaw-bead --telemetry "Z:$work/window.jsonl" >"$work/output" 2>"$work/errors" </dev/null &
@@ -164,10 +164,10 @@ close_window() {
     fail 'the window did not close'
 }
 
-# Starts the trainer's window and welds until the recording grows, whose name is then in $recording. The mouse button stays
+# Starts the trainer's window, welds until the recording grows, and sets $recording to its name. The mouse button stays
 # down.
 start_welding() {
-    xdotool mouseup 1 # where a check before this one broke off
+    xdotool mouseup 1 # an earlier check may have failed halfway
     rm -rf "$WINEPREFIX"/drive_c/users/*/AppData/*/meltpool
     open_window "$program"
     local tries
@@ -186,7 +186,7 @@ start_welding() {
     [ -n "$recording" ] || fail 'no recording grew'
 }
 
-# The processes of the program in this Wine, as Linux counts them.
+# Prints the Linux process ids of the program under this Wine.
 processes() {
     local process
     for process in $(pgrep -f 'meltpool\.exe --(desktop|headset)' || true); do # its folder's name has spaces
@@ -195,7 +195,7 @@ processes() {
     return 0
 }
 
-# end_processes SIGNAL: the first of them may take the others along.
+# end_processes SIGNAL: sends it to each process; ending one may end others.
 end_processes() {
     local process
     for process in $(processes); do kill "$1" "$process" 2>/dev/null || true; done
@@ -224,7 +224,7 @@ check_crash() {
     start_welding
     local report process tries ended=$SECONDS
     process=$(wine build/windows/bin/test_crash.exe Meltpool | tr -d '\r') || fail "no crash could be made ($?)"
-    for tries in $(seq 600); do # Wine takes some ten seconds for the minidump
+    for tries in $(seq 600); do # Wine needs about ten seconds for the minidump
         [ -z "$(processes)" ] && break
         sleep 0.2
     done
@@ -244,8 +244,8 @@ check_crash() {
 
 openxr_key='HKLM\SOFTWARE\Khronos\OpenXR\1'
 
-# The registry names the tests' own OpenXR runtime: the loader looks at XR_RUNTIME_JSON only where a process has no
-# administrator's rights, and Wine gives them to each.
+# Registers the tests' own OpenXR runtime. The loader ignores XR_RUNTIME_JSON in a process with administrator's rights,
+# and under Wine each process has them.
 install_runtime() {
     local manifest=$work/runtime.json
     printf '{"file_format_version": "1.0.0", "runtime": {"library_path": "Z:%s"}}' \
@@ -259,7 +259,7 @@ remove_runtime() {
     wine reg delete "$openxr_key" /v ActiveRuntime /f >/dev/null 2>&1
 }
 
-# in_order CALL...: the first of each of these calls comes after the first of the one before.
+# in_order CALL...: checks that the first occurrences of these calls are in this order.
 in_order() {
     local call line before=0
     for call in "$@"; do
@@ -286,7 +286,7 @@ check_headset() {
     ! grep FAULT "$work/calls" || fail 'the runtime complains'
 }
 
-# The trainer in the headset, with a session that the runtime loses after 40 frames.
+# Runs the trainer in the headset, with a runtime that loses the session after 40 frames.
 check_headset_trainer() {
     install_runtime
     MELTPOOL_TEST_RUNTIME_LOSE=40 wine "$program" --headset --lesson gmaw-bead >"$work/output" 2>"$work/errors" </dev/null &
@@ -316,7 +316,7 @@ check_registry() {
     says 'does not exist'
 }
 
-# kept KEY: whether the user's registry has this key.
+# kept KEY: succeeds if the user's registry has this key.
 kept() {
     wine reg query "HKCU\\Software\\$1" >/dev/null 2>&1
 }
@@ -337,7 +337,7 @@ check_installer() {
     local attempts=${folder%/Programs/Meltpool}/meltpool
     mkdir -p "$attempts"
     echo kept >"$attempts/kept.txt"
-    # The uninstaller goes on as a copy of itself, so that it can delete the one that was started.
+    # The uninstaller continues in a copy of itself, to delete its own file.
     wine "$folder/uninstall.exe" /S || fail 'the uninstaller ended with a fault'
     for tries in $(seq 100); do
         [ -e "$folder" ] || break
@@ -353,7 +353,7 @@ check_installer() {
     program=$before
 }
 
-# Ten of the shipped cases that Linux needs some seconds for at most.
+# Ten shipped cases, each a few seconds at most on Linux.
 quickest=(conduction_step conduction_flux stefan_one_phase stefan_one_phase_1mm stefan_two_phase energy energy_insulated
     energy_weld poiseuille droplet_oscillation)
 check_validate() {
@@ -382,7 +382,7 @@ prepare() {
     unzip -q -o build/windows/meltpool-*-windows.zip -d "$folder"
     program=$(find "$folder" -name meltpool.exe)
     timeout 300 wineboot -i >/dev/null 2>&1
-    remove_runtime || true # where a check before this one broke off
+    remove_runtime || true # an earlier check may have failed halfway
 }
 
 main() {
@@ -391,7 +391,7 @@ main() {
     for name in "$@"; do
         echo "$name"
         started=$(date +%s)
-        set +e # in a condition the first fault of a check would not end it
+        set +e # errexit has no effect inside a condition
         (
             set -e
             "check_$name"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Three rows of clients that connect to the X server and leave at once; fails when one of them is refused.
+# Connects three rows of clients to the X server, each for a moment; fails if the server refuses one.
 set -u
 come_and_go() {
     local i

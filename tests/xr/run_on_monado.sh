@@ -1,24 +1,24 @@
 #!/usr/bin/env bash
-# The headset test bench: runs PROGRAM against a real OpenXR runtime (Monado) with a scripted head and two scripted controllers.
+# Runs PROGRAM on a real OpenXR runtime (Monado), with a scripted head and two scripted controllers.
 #
-#   tests/xr/run_on_monado.sh PROGRAM [ARGUMENT...]      run PROGRAM with the runtime up, answer its exit status
-#   tests/xr/run_on_monado.sh --display PROGRAM [ARG...] run PROGRAM with the X server up and no runtime
-#   tests/xr/run_on_monado.sh --prepare                  only see that a runtime is there (fetch it where it is not)
+#   tests/xr/run_on_monado.sh PROGRAM [ARGUMENT...]      run PROGRAM with the runtime; exit with its status
+#   tests/xr/run_on_monado.sh --display PROGRAM [ARG...] run PROGRAM with the X server but no runtime
+#   tests/xr/run_on_monado.sh --prepare                  only fetch a runtime if there is none
 #
-# The machine's own monado-service is used where there is one. Elsewhere the packages of Debian 13 are unpacked once into the user's cache and
-# their programs, and PROGRAM too, run under that tree's own dynamic linker: no chroot, no mounts, no privileges, so it works the same for root,
-# for an ordinary user, and inside a container or a bare chroot. What PROGRAM needs and the tree has not comes from the machine.
+# Uses the computer's monado-service if there is one. Otherwise it unpacks the packages of Debian 13 once into the user's
+# cache, and runs their programs and PROGRAM with that tree's dynamic linker. That needs no chroot, mounts or privileges,
+# so it works for root, for users and in containers. Libraries that the tree lacks come from the computer.
 #
 # PROGRAM sees: DISPLAY (an X server of its own, where the compositor shows both eyes), XR_RUNTIME_JSON and
 #   MELTPOOL_XR_PORT   loopback TCP port of Monado's remote driver (tests/xr/remote_driver.hpp writes to it)
 #   MELTPOOL_XR_BENCH  folder of this run: service.pid, service.log
-#   MELTPOOL_XR_LAUNCH what stands before a program that PROGRAM starts itself
-# When the service dies (a test may kill it) it is started again after MELTPOOL_XR_RESTART_DELAY seconds (2).
-# MELTPOOL_XR_KEEP names a folder that gets the logs. Exit status 77: no runtime to be had; with CI set that is a failure (1) instead.
+#   MELTPOOL_XR_LAUNCH words before a command that PROGRAM starts
+# Restarts the service MELTPOOL_XR_RESTART_DELAY seconds (2) after its death; a test may kill it.
+# MELTPOOL_XR_KEEP is a folder for the logs. Exits with 77 if there is no runtime; with 1 if CI is set.
 set -u
 
 readonly suite=trixie
-readonly tree_version=1 # raise when the list below changes
+readonly tree_version=1 # raise it when the list below changes
 readonly packages=monado-service,libopenxr1-monado,libopenxr-loader1,openxr-layer-corevalidation,libgl1-mesa-dri,mesa-vulkan-drivers,libegl1,libegl-mesa0,libglx-mesa0,libgl1,xkb-data
 readonly cache=${MELTPOOL_XR_CACHE:-${XDG_CACHE_HOME:-${HOME:-/tmp}/.cache}/meltpool}
 readonly tree=$cache/monado-$suite-$tree_version-$(uname -m)
@@ -30,7 +30,7 @@ noRuntime() {
     exit 77
 }
 
-# Unpacks the tree once; a second caller waits for the first.
+# Unpacks the tree once; a second process waits for the first.
 fetchTree() {
     [ -e "$tree/.complete" ] && return 0
     command -v mmdebstrap >/dev/null || noRuntime "no monado-service on this machine and no mmdebstrap to fetch one with"
@@ -48,7 +48,7 @@ fetchTree() {
     exec 9>&-
 }
 
-# Sets `launch` (the words before a program that has to run with the runtime) and the variables by which its parts find each other.
+# Sets `launch` (the words before a command that uses the runtime) and the variables by which the runtime finds its parts.
 findRuntime() {
     launch=()
     if [ -z "${MELTPOOL_XR_TREE:-}" ] && command -v monado-service >/dev/null; then
@@ -67,7 +67,7 @@ findRuntime() {
     export XR_RUNTIME_JSON=$tree/usr/share/openxr/1/openxr_monado.json
     export VK_DRIVER_FILES=$tree/usr/share/vulkan/icd.d/lvp_icd.json VK_ICD_FILENAMES=$tree/usr/share/vulkan/icd.d/lvp_icd.json
     export __EGL_VENDOR_LIBRARY_DIRS=$tree/usr/share/glvnd/egl_vendor.d LIBGL_DRIVERS_PATH=$lib/dri
-    # The validation layer's manifest names a place below /, so it is written anew with the place in the tree.
+    # Rewrites the validation layer's manifest with its path in the tree.
     export XR_API_LAYER_PATH=$run/layers
     mkdir -p "$run/layers"
     sed "s#\"library_path\": *\"/#&${tree#/}/#" "$tree"/usr/share/openxr/1/api_layers/explicit.d/*core_validation*.json >"$run/layers/core_validation.json"
@@ -85,7 +85,7 @@ freePort() {
 startDisplay() {
     command -v Xvfb >/dev/null || noRuntime "no Xvfb on this machine"
     local number
-    # -noreset: a server that resets when its last client leaves refuses the clients that come while it does so.
+    # -noreset: a server that resets after its last client refuses clients meanwhile.
     setpriv --pdeathsig KILL Xvfb -displayfd 8 -screen 0 "${MELTPOOL_XR_SCREEN:-1280x720x24}" -noreset -nolisten tcp 8>"$run/display" >"$run/xvfb.log" 2>&1 </dev/null &
     display_pid=$!
     for _ in $(seq 3000); do
@@ -97,14 +97,14 @@ startDisplay() {
     unset WAYLAND_DISPLAY XAUTHORITY
 }
 
-# Waits for the service as long as it lives, or minutes: a busy machine takes its time.
+# Starts the service and waits for it, at most five minutes: a busy computer is slow.
 startService() {
     : >"$run/service.log"
-    # A killed service leaves its socket behind, and the next one refuses to start over it.
+    # Removes the socket of a killed service: the next one would refuse to start.
     rm -f "$XDG_RUNTIME_DIR"/monado_comp_ipc "$XDG_RUNTIME_DIR"/monado.pid
     XRT_LOG=info setpriv --pdeathsig KILL ${launch[@]+"${launch[@]}"} "$service" </dev/null >>"$run/service.log" 2>&1 &
     service_pid=$!
-    disown # the shell need not tell when a test kills it
+    disown # no message of the shell when a test kills it
     echo "$service_pid" >"$run/service.pid"
     for _ in $(seq 3000); do
         grep -q 'service has started' "$run/service.log" && return 0
@@ -112,7 +112,7 @@ startService() {
         sleep 0.1
     done
     tail -n 20 "$run/service.log" >&2
-    # A service that came up before and does not do so again is no lack of a runtime.
+    # A failed restart is an error, not a missing runtime.
     [ -z "${program_pid:-}" ] && noRuntime "the OpenXR service does not come up"
     say "the OpenXR service does not come up again"
     exit 1
@@ -151,7 +151,7 @@ mkdir -m 700 "$XDG_RUNTIME_DIR"
 mkdir -p "$XDG_CONFIG_HOME/monado"
 MELTPOOL_XR_PORT=$(freePort)
 export MELTPOOL_XR_PORT MELTPOOL_XR_BENCH=$run
-# For programs that PROGRAM starts itself, one word a line.
+# One word a line, for programs that PROGRAM starts.
 MELTPOOL_XR_LAUNCH=$(printf '%s\n' ${launch[@]+"${launch[@]}"})
 export MELTPOOL_XR_LAUNCH
 echo "{\"active\": \"remote\", \"remote\": {\"version\": 0, \"port\": $MELTPOOL_XR_PORT, \"view_count\": 2}}" >"$XDG_CONFIG_HOME/monado/config_v0.json"
@@ -159,10 +159,10 @@ export XRT_NO_STDIN=1 P_OVERRIDE_ACTIVE_CONFIG=remote XRT_COMPOSITOR_FORCE_XCB=1
 export XRT_COMPOSITOR_SCALE_PERCENTAGE=${XRT_COMPOSITOR_SCALE_PERCENTAGE:-70}
 startDisplay
 startService
-# Under the tree's linker the program cannot tell where it is itself, so it is told where its files are.
+# Names the program's files: with the tree's linker the program does not know its own path.
 data=$(dirname "$(readlink -f "$1")")/../share/meltpool
 [ -d "$data" ] && export MELTPOOL_DATA=${MELTPOOL_DATA:-$data}
-# The runtime's library talks a lot on standard error; it is shown where the program failed.
+# The runtime's library prints much to standard error; shown only if the program fails.
 setpriv --pdeathsig TERM ${launch[@]+"${launch[@]}"} "$@" </dev/null 2>"$run/stderr.log" &
 program_pid=$!
 while kill -0 "$program_pid" 2>/dev/null; do

@@ -9,9 +9,9 @@ namespace meltpool {
 void Flow::takeSavedRoom() {
     if (static_cast<size_t>(block_.capacity) != state_.capacity() || block_.rowCapacity > room_.rows() ||
         block_.wallPageCapacity > 1 + room_.wallPages() || block_.movingPageCapacity > 1 + block_.cellCount)
-        throw InputError(
-            "the saved state has another room for the flow than the flow asked for; expected one that this "
-            "program saved of this lesson");
+        throw InputError("the saved state has other list sizes of the flow than this lesson; expected one of this "
+                         "lesson, saved by this "
+                         "program");
     tables_.makeAs(block_);
 }
 

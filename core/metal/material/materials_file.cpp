@@ -34,7 +34,8 @@ Property readProperty(TomlTable& parent, std::string_view key, NumberRange range
             if (row[0] < kTemperature.minimum || row[0] > kTemperature.maximum)
                 entry.fail("table", "expected temperatures from 0 to 10000 K");
             if (row[1] < range.minimum || row[1] > range.maximum)
-                entry.fail("table", "a value is outside the range that makes sense for this property");
+                entry.fail("table", "expected values from " + formatNumber(range.minimum) + " to " +
+                                        formatNumber(range.maximum));
             property.points.push_back({row[0], row[1]});
         }
     } else {
@@ -53,7 +54,7 @@ void readMelting(TomlTable& file, Material& material) {
     material.solidus = readValue(melting, "solidus", {1, 6000}, solidusSource);
     material.liquidus = readValue(melting, "liquidus", {1, 6000}, liquidusSource);
     material.latentHeat = readValue(melting, "latent_heat", {0, 1e7}, latentSource);
-    if (material.liquidus < material.solidus) melting.fail("liquidus", "must not lie below the solidus");
+    if (material.liquidus < material.solidus) melting.fail("liquidus", "must not be below the solidus");
     material.meltingSource =
         "solidus: " + solidusSource + "; liquidus: " + liquidusSource + "; latent heat: " + latentSource;
     melting.finish();
@@ -98,7 +99,7 @@ void readBoiling(TomlTable& file, Material& material) {
     material.boilingPoint = readValue(boiling, "point", {1, 10000}, pointSource);
     material.vaporisationHeat = readValue(boiling, "heat", {1, 1e8}, heatSource);
     material.molarMass = readValue(boiling, "molar_mass", {1e-3, 1}, massSource);
-    if (material.boilingPoint <= material.liquidus) boiling.fail("point", "must lie above the liquidus");
+    if (material.boilingPoint <= material.liquidus) boiling.fail("point", "must be above the liquidus");
     material.boilingSource = "point: " + pointSource + "; heat: " + heatSource + "; molar mass: " + massSource;
     if (boiling.has("evaporates_from")) {
         std::string fromSource;

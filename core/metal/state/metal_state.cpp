@@ -148,7 +148,7 @@ void MetalState::noteOnLattice(glm::ivec3 cell) {
 
 void MetalState::add(std::span<const MetalSeed> seeds) {
     if (particles_ + seeds.size() > capacity_)
-        throw RuntimeFault("no room for " + std::to_string(seeds.size()) + " more particles beside " +
+        throw RuntimeFault("no room for " + std::to_string(seeds.size()) + " more particles next to " +
                            std::to_string(particles_) + " of " + std::to_string(capacity_));
     auto& [positions, velocities, heats, notFrozen, phases, cells] = staging_;
     for (auto* values : {&positions, &velocities, &heats})
@@ -167,7 +167,7 @@ void MetalState::add(std::span<const MetalSeed> seeds) {
         phases.push_back(seed.phase);
         if (!(seed.phase & PHASE_LATTICE)) continue;
         const glm::ivec3 cell = lattice_.cellAt(seed.position);
-        if (!lattice_.contains(cell)) throw RuntimeFault("a particle of the lattice lies outside it");
+        if (!lattice_.contains(cell)) throw RuntimeFault("a lattice particle is outside the lattice");
         noteOnLattice(cell);
         const uint slot = static_cast<uint>(particles_ + phases.size());
         cells.emplace_back(lattice_.index(cell), slot);

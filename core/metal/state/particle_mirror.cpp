@@ -30,7 +30,8 @@ void ParticleMirror::take(const ParticleView& original, gl::ContextThread& there
 const gl::Buffer* ParticleMirror::copy(size_t number, const gl::Buffer* original, const std::byte* memory,
                                        size_t bytes) {
     if (original == nullptr) return nullptr;
-    if (memory == nullptr) throw RuntimeFault("metal of a driver that keeps it to itself was to be shown elsewhere");
+    if (memory == nullptr)
+        throw RuntimeFault("the graphics driver does not share its memory, so another context cannot show the metal");
     gl::Buffer& buffer = buffers_[number];
     if (!buffer || buffer.bytes() < original->bytes()) buffer = gl::Buffer("shown particles", original->bytes());
     buffer.write(std::span(memory, std::min(bytes, original->bytes())));

@@ -152,7 +152,7 @@ TEST_CASE("A material file's faults are named with their line", "[materials]") {
                containsText("[welding] alternating_current: expected true or false"));
     CHECK_THAT(faultOf("[looks]", "[welding]\nalternating_current = true\n[looks]"),
                containsText("source: is missing"));
-    CHECK_THAT(faultOf("1813.15", "1713.15"), containsText("must not lie below the solidus"));
+    CHECK_THAT(faultOf("1813.15", "1713.15"), containsText("must not be below the solidus"));
     CHECK_THAT(faultOf("[333.15,", "[233.15,"), containsText("temperatures must rise"));
     CHECK_THAT(faultOf("[boiling]", "[boiling"), containsText("bad.toml:4"));
     CHECK_THAT(faultOf("percent = { value = 0.005", "percent = { value = 0.5"),

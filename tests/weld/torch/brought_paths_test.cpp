@@ -69,7 +69,7 @@ const std::vector<Refused> kRefused{
     {"refused-motion-capture-two-headers.csv", ".csv:4: ", "the column 'X' occurs twice"},
     {"refused-robot-angles.csv", ".csv:1: ", "the column 'qx' is missing (and qy, qz, qw)"},
     {"refused-robot-angles.csv", ".csv:1: ", "found 't;X;Y;Z;A;B;C;trigger'. Angles are no orientation here"},
-    {"refused-utf-16-without-mark.csv", ".csv: ", "looks like UTF-16 without a mark"},
+    {"refused-utf-16-without-mark.csv", ".csv: ", "looks like UTF-16 without a byte order mark"},
     {"refused-utf-32.csv", ".csv: ", "is UTF-32"},
     {"refused-mixed-decimals.csv", ".csv:7: ", "has the number '0.10' below numbers with a decimal comma"},
     {"refused-thousands.csv", ".csv:5: ", "has the number '-1,234.5'; expected one without a sign between"},
