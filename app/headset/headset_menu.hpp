@@ -20,6 +20,7 @@ struct HeadsetMenuContent {
     std::string_view warning;        ///< empty: none
     std::string tipReport;           ///< report of the torch's measuring; empty: none
     const LessonFigures& figures;
+    Question* question; ///< question before an action ends the teacher's weld; null: none
 };
 
 /// Requests of the person in this frame.
