@@ -8,7 +8,10 @@ std::span<const DesktopAction> desktopActions() {
     using App = DesktopApp;
     using Request = MenuRequest;
     constexpr auto always = [](const App&) { return true; };
-    constexpr auto noWelding = [](const App& app) { return !app.session_.welds(); };
+    // A slip of the welder's own hand; for another's weld a question comes.
+    constexpr auto noWelding = [](const App& app) {
+        return !app.session_.welds() || app.session_.leader() == TorchLeader::hand;
+    };
     static constexpr DesktopAction table[] = {
         {"lesson list", Request::home, Key::h, noWelding, [](App& app) { app.goHome(); }},
         {"open lesson",
@@ -35,6 +38,7 @@ std::span<const DesktopAction> desktopActions() {
          {},
          always,
          [](App& app) { app.lessons_.writePage(app.driver_, app.clock_.now()); }},
+        {"pause", Request::pause, {}, always, [](App& app) { app.togglePause(); }},
         {"redo", Request::redo, Key::backspace, always, [](App& app) { app.session_.redo(app.controls_); }},
         {"cut", Request::cut, Key::x, always, [](App& app) { app.cut(); }},
         {"back", Request::none, Key::escape, always, [](App& app) { app.goBack(); }},
@@ -43,6 +47,7 @@ std::span<const DesktopAction> desktopActions() {
         {"view menu", Request::none, Key::f2, always, [](App& app) { app.toggle(&PanelState::view); }},
         {"machine menu", Request::none, Key::f3, always, [](App& app) { app.toggle(&PanelState::simulation); }},
         {"timings", Request::none, Key::f4, always, [](App& app) { app.toggle(&PanelState::timings); }},
+        {"view of the headset", Request::none, Key::f6, always, [](App& app) { app.switchDeskView(); }},
         {"full screen", Request::none, Key::f11, always, [](App& app) { app.window_.toggleFullScreen(); }},
         {"picture of the window", Request::none, Key::f10, always,
          [](App& app) { app.screenshots_.ask(false, app.messages_); }},
@@ -52,15 +57,34 @@ std::span<const DesktopAction> desktopActions() {
     return table;
 }
 
-void DesktopApp::act(MenuRequest request) {
+void DesktopApp::act(MenuRequest request, Seat seat) {
     if (request == MenuRequest::none) return;
     for (const DesktopAction& action : desktopActions())
-        if (action.request == request) action.run(*this);
+        if (action.request == request && seats_.allows(seat, request)) perform(action, seat);
 }
 
 void DesktopApp::act(Key key) {
     for (const DesktopAction& action : desktopActions())
-        if (action.key == key && action.allowed(*this)) action.run(*this);
+        if (action.key == key && action.allowed(*this) && seats_.allows(Seat::desk, action.request))
+            perform(action, Seat::desk);
+}
+
+void DesktopApp::perform(const DesktopAction& action, Seat seat) {
+    const bool nothing = (action.request == MenuRequest::home && home_.open) ||
+                         (action.request == MenuRequest::redo && !session_.redoes()) ||
+                         (action.request == MenuRequest::judge && !session_.judges()) ||
+                         (action.request == MenuRequest::reset && !session_.running());
+    if (!nothing) seats_.note(seat, action.request, clock_.now());
+    action.run(*this);
+}
+
+/// Pauses the lesson for both people, or goes on with it.
+void DesktopApp::togglePause() {
+    if (session_.running()) controls_.setMode(controls_.mode() == Mode::view ? Mode::interact : Mode::view);
+}
+
+void DesktopApp::switchDeskView() {
+    if (headset_.device()) messages_.note(std::string(headset_.device()->nextDeskView()), clock_.now(), "desk view");
 }
 
 void DesktopApp::goHome() {

@@ -173,7 +173,7 @@ void DesktopApp::runFrame() {
     window_.swap();
     finishSteps(seconds);
     act(request);
-    session_.settle(controls_);
+    settleQuestions();
     window_.captureMouse(session_.running() && controls_.captured());
     if (!headset_.inFrame()) pacer_.pace(begin);
 }
@@ -190,6 +190,8 @@ void DesktopApp::show() {
 void DesktopApp::beginHeadset(double seconds) {
     const bool putOn = headset_.begin(session_, home_, messages_, seconds, clock_.now());
     if (headset_.device()) window_.waitForDisplay(!headset_.inFrame());
+    seats_.update(headset_.inFrame() != nullptr, controls_.captured(), clock_.frame());
+    if (headset_.device()) headset_.device()->ask(&seats_.question(Seat::headset));
     // The lesson starts when a person first puts the headset on.
     if (putOn && !session_.running()) start(&LessonSession::begin);
 }
@@ -201,7 +203,16 @@ void DesktopApp::drawHeadset(double seconds) {
     MenuRequest request = MenuRequest::none;
     detail_.draw([&] { request = headset->draw(session_, home_, figures_, messages_, seconds, &profiler_); });
     headset->end();
-    act(request);
+    act(request, Seat::headset);
+}
+
+/// Carries out the answers to questions, whoever gave them.
+void DesktopApp::settleQuestions() {
+    for (const Seat seat : {Seat::desk, Seat::headset})
+        if (const MenuRequest confirmed = seats_.takeConfirmed(seat); confirmed != MenuRequest::none)
+            for (const DesktopAction& action : desktopActions())
+                if (action.request == confirmed) perform(action, seat);
+    session_.settle(controls_);
 }
 
 void DesktopApp::simulate(const InputFrame& input, double seconds) {
@@ -249,6 +260,11 @@ void DesktopApp::tellLesson(double seconds) {
         messages_.hold(phrase("desk.message.record_stopped", {{"reason", session_.run().recordFault()}}), "record");
     const WindowHeadset* const hand = controls_.captured() ? nullptr : headset_.inFrame();
     notices_.update(session_, figures_, hand ? hand->triggerLock() : controls_.triggerLock(), seconds, messages_);
+    const bool pause = headset_.inFrame() && controls_.mode() == Mode::view;
+    if (pause && session_.activities().allowed().ownTorch)
+        messages_.hold(phrase("notice.pause.told"), "pause");
+    else
+        messages_.clear("pause");
     if (!session_.run().fault().empty())
         messages_.hold(phrase("desk.message.simulation_stopped", {{"reason", session_.run().fault()}}), "metal");
     else if (figures_.refused > 0)
@@ -273,7 +289,7 @@ void DesktopApp::preparePicture(double seconds) {
     if (!session_.running()) return;
     const glm::ivec2 pixels = window_.pixels();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    if (headset_.inFrame() && headset_.inFrame()->mirror(pixels)) return;
+    if (headset_.inFrame() && headset_.inFrame()->mirror(pixels, shaders_)) return;
     picture_.prepare(
         session_, controls_,
         {pixels, menus_.middleOfPicture(), seconds, sections_.window.picture, screenshots_.windowAsked(), steps_.due()},
@@ -293,7 +309,7 @@ void DesktopApp::drawPicture() {
 
 MenuRequest DesktopApp::drawMenus() {
     return menus_.draw({session_, home_, controls_, messages_, figures_, profiler_, pacer_.frameSeconds() * 1000,
-                        driver_, sections_.forViewMenu(headsetSection())});
+                        driver_, sections_.forViewMenu(headsetSection()), seats_.question(Seat::desk)});
 }
 
 /// Reports letters that no font here has. They come in names of lessons and files that people bring.

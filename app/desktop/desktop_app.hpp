@@ -14,6 +14,7 @@
 #include "app/desktop/frame_pacer.hpp"
 #include "app/desktop/interface.hpp"
 #include "app/desktop/screenshot_taker.hpp"
+#include "app/desktop/seat_requests.hpp"
 #include "app/desktop/shader_watch.hpp"
 #include "app/desktop/window.hpp"
 #include "app/desktop/window_picture.hpp"
@@ -46,9 +47,14 @@ class DesktopApp {
     ParameterSection* headsetSection();
     void handleKeys(const InputFrame& input);
     friend std::span<const DesktopAction> desktopActions();
-    /// Runs the action that a button asks for, or the allowed action of the key; no-op without one.
-    void act(MenuRequest request);
+    /// Runs the action that a button asks for, or the allowed action of the key; no-op without one. If it would end the
+    /// other person's weld, a question comes first.
+    void act(MenuRequest request, Seat seat = Seat::desk);
     void act(Key key);
+    void perform(const DesktopAction& action, Seat seat);
+    void settleQuestions();
+    void togglePause();
+    void switchDeskView();
     void goHome();
     void goBack();
     void openNext();
@@ -96,6 +102,7 @@ class DesktopApp {
     BackgroundSteps steps_;
     Home home_;
     LessonSession session_;
+    SeatRequests seats_{session_, messages_};
     DesktopSound sound_;
     DesktopHeadset headset_;
     gl::Profiler profiler_;

@@ -18,7 +18,8 @@ namespace meltpool {
 void DesktopLessons::leave() {
     session_.end("start menu");
     controls_.restart();
-    for (const std::string_view topic : std::array<std::string_view, 5>{"metal", "arc", "ghost", kSlowTopic, "record"})
+    for (const std::string_view topic :
+         std::array<std::string_view, 6>{"metal", "arc", "ghost", kSlowTopic, "record", "pause"})
         messages_.clear(topic);
 }
 

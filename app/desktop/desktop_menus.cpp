@@ -35,7 +35,7 @@ MenuRequest DesktopMenus::draw(const DesktopMenuContent& content) {
         request = ui::startMenu(context, session, content.home, content.driver);
     else if (!panels.hidden)
         request = drawPanels(content);
-    ui::questionOverlay(context, session.question());
+    ui::questionOverlay(context, session.question().asked() ? session.question() : content.seatQuestion);
     if (panels.help) ui::helpOverlay(context, panels.help);
     const bool running = session.running();
     ui::messageStack(context, content.messages, running ? coveredLeft() : 0, running ? coveredRight() : 0);

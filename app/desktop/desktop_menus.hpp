@@ -22,6 +22,7 @@ struct DesktopMenuContent {
     double frameMs = 0;
     const std::string& driver;                             ///< name of the graphics driver
     std::span<const ParameterSection* const> viewSections; ///< sections of the view menu
+    Question& seatQuestion;                                ///< question before an action ends the trainee's weld
 };
 
 class DesktopMenus {

@@ -53,6 +53,7 @@ constexpr std::array<std::pair<int, Key>, static_cast<size_t>(Key::count)> kKeys
     {GLFW_KEY_F3, Key::f3},
     {GLFW_KEY_F4, Key::f4},
     {GLFW_KEY_F5, Key::f5},
+    {GLFW_KEY_F6, Key::f6},
     {GLFW_KEY_F10, Key::f10},
     {GLFW_KEY_F11, Key::f11},
     {GLFW_KEY_F12, Key::f12},

@@ -4,11 +4,7 @@
 
 #include <algorithm>
 #include <array>
-<<<<<<< HEAD
-#include <cmath>
-=======
-#include <utility>
->>>>>>> h48-panel
+                            {home, section_, warning(), hands_.tipReport(), hands_.tipMeasured(), figures, question_});
 
 namespace meltpool {
 
@@ -98,6 +94,7 @@ void HeadsetFrontEnd::readHands(LessonSession& session, const Home& home, double
     const bool weld = session.lesson().model == LessonModel::Weld;
     hands_.update(input, workshop_, weld ? torchGeometry(session.lesson().process) : kPlainTorch, elapsed);
     if (panel_.pointingHand() == hands_.torchHand()) hands_.putOut(ArcOut::panel);
+    if (session.paused()) hands_.putOut(ArcOut::paused);
     changes_.takeTorch(hands_, session);
     view_.update(session, hands_.torch(), elapsed);
 }
@@ -199,16 +196,9 @@ void HeadsetFrontEnd::placeWorkshop(LessonSession& session, double elapsed) {
     if (!placing_.due() || hands_.torch().trigger() > 0) return;
     std::array<xr::EyeView, 2> eyes;
     if (!headset.locateEyes(eyes)) return;
-<<<<<<< HEAD
-    const bool set = parameters_.table == HeadsetParameters::kSetHeight;
-    parameters_.tableHeight = workshop_.place(middle(eyes), set ? std::optional(parameters_.setHeight) : std::nullopt,
-                                              headset.session().originOnFloor());
-    placing_.placed(middle(eyes));
-=======
-    const xr::Pose head = xr::interpolate(eyes[0].pose, eyes[1].pose, 0.5f);
+                            {home, section_, warning(), hands_.tipReport(), hands_.tipMeasured(), figures, question_});
     workshop_.recentre(head, parameters_, headset.session().originOnFloor());
     panel_.forgetHeight();
->>>>>>> h48-panel
     changes_.recentred(hands_, session);
 }
 
@@ -235,6 +225,7 @@ void HeadsetFrontEnd::drawEyes(LessonSession& session, double elapsed, gl::Profi
         xr::Headset& headset = *connection_.headset();
         headset.beginFrame();
         drawn_ = false;
+        mirror_.forgetFlat();
         view_.takeHands(hands_, panel_);
         if (timing_.shouldRender)
             drawn_ = headset.drawEyes(
@@ -242,6 +233,7 @@ void HeadsetFrontEnd::drawEyes(LessonSession& session, double elapsed, gl::Profi
         feedback_.update(session, hands_.torch(), parameters_.hapticStrength, elapsed);
         feedback_.play(headset, hands_);
     });
+    sinceDark_ = view_.dark(session) ? 0 : sinceDark_ + elapsed;
     busy_ += std::chrono::duration<double>(Clock::now() - start).count();
 }
 
@@ -277,7 +269,9 @@ void HeadsetFrontEnd::drawNotice(const LessonFigures& figures, const Messages& m
                              torch.tracked() ? std::optional(torch.tip().position) : std::nullopt,
                              parameters_.tableHeight, elapsed);
         const bool fresh = notice_.draw(headset.notice(), connection_.openings(), elapsed);
-        headset.showNotice(workshop_.toSession(notice_.place.pose()), fresh);
+        const xr::Pose pose = workshop_.toSession(notice_.place.pose());
+        headset.showNotice(pose, fresh);
+        mirror_.addFlat(headset.notice(), pose);
     });
 }
 
@@ -288,8 +282,10 @@ MenuRequest HeadsetFrontEnd::drawMenu(LessonSession& session, Home& home, const 
         xr::Headset& headset = *connection_.headset();
         const xr::Panel& panel = headset.panel();
         answer = menu_.draw(panel, panel_.pointer(), elapsed, session,
-                            {home, section_, warning(), hands_.tipReport(), hands_.tipMeasured(), figures});
-        headset.showPanel(workshop_.toSession(panel_.pose()));
+                            {home, section_, warning(), hands_.tipReport(), hands_.tipMeasured(), figures, question_});
+        const xr::Pose pose = workshop_.toSession(panel_.pose());
+        headset.showPanel(pose);
+        mirror_.addFlat(panel, pose);
     });
     if (answer.recentre) placing_.request();
     if (answer.measureTip) hands_.measureTip();
@@ -304,23 +300,27 @@ void HeadsetFrontEnd::end() {
     inFrame_ = false;
 }
 
-bool HeadsetFrontEnd::mirror(glm::ivec2 pixels) {
-    mirrored_ = parameters_.deskView == HeadsetParameters::kTrainee && blitLeftEye(pixels);
+/// Returns true if the window shows the trainee's eye. Between two arcs of one weld the automatic choice stays with the
+/// camera.
+bool HeadsetFrontEnd::wantsMirror() const {
+    constexpr double kBetweenArcs = 1.5; // s
+    if (parameters_.deskView == HeadsetParameters::kByVisor) return sinceDark_ > kBetweenArcs;
+    return parameters_.deskView == HeadsetParameters::kTrainee;
+}
+
+bool HeadsetFrontEnd::mirror(glm::ivec2 pixels, gl::ShaderLibrary& shaders) {
+    mirrored_ = drawn_ && connection_.headset() != nullptr && wantsMirror();
+    if (mirrored_) mirror_.draw(*connection_.headset(), pixels, shaders);
     return mirrored_;
 }
 
-bool HeadsetFrontEnd::blitLeftEye(glm::ivec2 pixels) const {
-    const xr::Headset* headset = connection_.headset();
-    if (!drawn_ || headset == nullptr) return false;
-    const xr::EyeTargets& eyes = headset->eyes();
-    // The middle of the left eye's picture in the window's shape.
-    const double aspect = double(pixels.x) / double(pixels.y);
-    const int width = std::min(eyes.width(), int(eyes.height() * aspect));
-    const int height = std::min(eyes.height(), int(width / aspect));
-    const int x = (eyes.width() - width) / 2, y = (eyes.height() - height) / 2;
-    glBlitNamedFramebuffer(eyes.resolved(), 0, x, y, x + width, y + height, 0, 0, pixels.x, pixels.y,
-                           GL_COLOR_BUFFER_BIT, GL_LINEAR);
-    return true;
+std::string_view HeadsetFrontEnd::nextDeskView() {
+    static constexpr std::array<std::string_view, 3> kSentences{
+        "headset.desk_view.automatic", "headset.desk_view.trainee", "headset.desk_view.camera"};
+    static constexpr std::array<int, 3> kNext{HeadsetParameters::kCamera, HeadsetParameters::kByVisor,
+                                              HeadsetParameters::kTrainee};
+    parameters_.deskView = kNext[static_cast<size_t>(parameters_.deskView)];
+    return phrase(kSentences[static_cast<size_t>(parameters_.deskView)]);
 }
 
 std::optional<glm::vec3> HeadsetFrontEnd::arcFromHead(const LessonSession& session) const {

@@ -5,6 +5,7 @@
 #include "app/headset/headset_changes.hpp"
 #include "app/headset/headset_menu.hpp"
 #include "app/headset/headset_notice.hpp"
+#include "app/headset/mirror.hpp"
 #include "app/headset/panel_pointer.hpp"
 #include "app/headset/stereo_view.hpp"
 #include "app/headset/torch_feedback.hpp"
@@ -35,7 +36,9 @@ class HeadsetFrontEnd final : public WindowHeadset {
     std::optional<glm::vec3> arcFromHead(const LessonSession& session) const override;
     float zoom() const override { return place_.zoom; }
     void end() override;
-    bool mirror(glm::ivec2 pixels) override;
+    void ask(Question* question) override { question_ = question; }
+    bool mirror(glm::ivec2 pixels, gl::ShaderLibrary& shaders) override;
+    std::string_view nextDeskView() override;
     bool hopeless() const override { return connection_.hopeless(); }
     int openings() const override { return connection_.openings(); }
     std::string sentence() const override;
@@ -62,7 +65,7 @@ class HeadsetFrontEnd final : public WindowHeadset {
     void recordPerson(LessonSession& session);
     void drawNotice(const LessonFigures& figures, const Messages& messages, double elapsed);
     MenuRequest drawMenu(LessonSession& session, Home& home, const LessonFigures& figures, double elapsed);
-    bool blitLeftEye(glm::ivec2 pixels) const;
+    bool wantsMirror() const;
 
     HeadsetParameters parameters_;
     ParameterSection section_;
@@ -78,6 +81,8 @@ class HeadsetFrontEnd final : public WindowHeadset {
     TorchFeedback feedback_;
     HeadsetMenu menu_;
     HeadsetNotice notice_;
+    Mirror mirror_;
+    Question* question_ = nullptr; ///< see ask()
     xr::FrameTiming timing_;
     bool inFrame_ = false;
     int focusedOpening_ = 0;      ///< opening in which the runtime first gave the trainer its input
@@ -89,6 +94,7 @@ class HeadsetFrontEnd final : public WindowHeadset {
     Page page_ = Page::none;      ///< page of the last frame
     bool drawn_ = false;          ///< the eyes hold a picture that the runtime shows
     bool mirrored_ = false;       ///< the window shows the eyes' picture too
+    double sinceDark_ = 1e9;      ///< s since the visor was dark
     double busy_ = 0;             ///< s of the last frame's begin() and draw() without waiting for the runtime
 };
 

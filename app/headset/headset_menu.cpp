@@ -69,6 +69,7 @@ void HeadsetMenu::lessonPart(ui::Context& context, LessonSession& session, const
     if (!content.warning.empty()) ui::quietText(context, content.warning);
     ImGui::Dummy({0, context.points(4)});
     if (session.question().asked()) return ui::questionPart(context, session.question());
+    if (content.question != nullptr && content.question->asked()) return ui::questionPart(context, *content.question);
     const Activities& activities = session.activities();
     if (activities.at(activities.demonstration))
         if (const MenuRequest asked = ui::demonstrationPart(context, session); asked != MenuRequest::none)
@@ -92,6 +93,9 @@ void HeadsetMenu::lessonButtons(ui::Context& context, const LessonSession& sessi
     } else {
         asks("headset.reset", "headset.button.reset", MenuRequest::reset, ui::ButtonKind::plain, 96);
         asks("headset.restart", "headset.button.restart", MenuRequest::restart, ui::ButtonKind::plain, 96);
+        if (session.activities().allowed().ownTorch && !session.picture().cut().shown())
+            asks("headset.pause", session.paused() ? "headset.button.go_on" : "headset.button.pause",
+                 MenuRequest::pause, ui::ButtonKind::plain, 96);
     }
     ImGui::NewLine();
     asks("headset.home", "headset.button.home", MenuRequest::home, ui::ButtonKind::plain, 70);

@@ -21,6 +21,7 @@ struct HeadsetMenuContent {
     std::string tipReport;           ///< report of the torch's measuring; empty: none
     bool tipMeasured = false;        ///< a measured tip is in use
     const LessonFigures& figures;
+    Question* question; ///< question before an action ends the teacher's weld; null: none
 };
 
 /// Requests of the person in this frame.

@@ -37,7 +37,9 @@ void NoticeText::addLine(std::string_view line) {
 void NoticeText::compose(const Messages& messages, const LessonFigures& figures, float zoom) {
     length_ = 0;
     // Slow metal has a line of its own, which no other warning displaces.
-    const auto warns = [](const Message& m) { return m.kind == Message::Kind::warning && m.topic != kSlowTopic; };
+    const auto warns = [](const Message& m) {
+        return m.topic == kDeskTopic || (m.kind == Message::Kind::warning && m.topic != kSlowTopic);
+    };
     auto left = static_cast<size_t>(std::count_if(messages.shown().begin(), messages.shown().end(), warns));
     for (const Message& message : messages.shown())
         if (warns(message) && left-- <= kMostWarnings) addLine(message.text);

@@ -16,7 +16,8 @@ namespace meltpool {
 /// Builds the notice's text in each frame without allocating.
 class NoticeText {
   public:
-    /// Lines up the newest warnings, the warning of slow metal, the caption of sounds, and the zoom unless it is 1.
+    /// Lines up the newest warnings and what the desk did, the warning of slow metal, the caption of sounds, and the
+    /// zoom unless it is 1.
     void compose(const Messages& messages, const LessonFigures& figures, float zoom);
 
     /// Whole text, one message a line.

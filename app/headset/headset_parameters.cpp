@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::array<std::string_view, 2> kHands{"right", "left"};
 constexpr std::array<std::string_view, 2> kTorchOn{"controller", "tracker"};
-constexpr std::array<std::string_view, 2> kDeskViews{"trainee", "camera"};
+constexpr std::array<std::string_view, 3> kDeskViews{"automatic", "trainee", "camera"};
 constexpr std::array<std::string_view, 4> kBothEyes{"automatic", "viewports", "clip distances", "passes"};
 constexpr std::array<std::string_view, 2> kTables{"from your eyes", "as set"};
 
@@ -63,7 +63,8 @@ ParameterList describe(HeadsetParameters& p) {
         {"adaptation", "Eye adapts", "", &p.adaptation, 0, 1,
          "The eye gets used to bright and dark. An arc without a visor dazzles it. Only in weld lessons."},
         {"visor_share", "Visor lets through", "", &p.visorShare, 0.02, 1, "Share of light, for the classic lesson."},
-        {"desk_view", "The window shows", "", &p.deskView, 0, 1, "The trainee's left eye, or a camera of its own.",
+        {"desk_view", "The window shows", "", &p.deskView, 0, 2,
+         "The trainee's left eye, or a camera of its own. Automatic: the camera while the visor is dark. Key F6.",
          kDeskViews},
         {"haptic_strength", "Vibration", "", &p.hapticStrength, 0, 1, "0 is none."},
     };

@@ -12,7 +12,7 @@ struct HeadsetParameters {
     enum TorchHand { kRight, kLeft };
     enum TorchOn { kController, kTracker };
     enum Table { kFromEyes, kSetHeight };
-    enum DeskView { kTrainee, kCamera };
+    enum DeskView { kByVisor, kTrainee, kCamera };
     enum BothEyes { kAutomatic, kViewports, kClipDistances, kPasses };
 
     int hand = kRight;            ///< TorchHand
@@ -31,7 +31,7 @@ struct HeadsetParameters {
     float visorSwitching = 1e-4f; ///< s from light to dark
     bool adaptation = true;       ///< the eye adapts to bright and dark, and can be dazzled
     float visorShare = 0.25f;     ///< share of the light that the visor transmits if the source gives none
-    int deskView = kTrainee;      ///< DeskView: content of the window while the headset is in use
+    int deskView = kByVisor;      ///< DeskView: content of the window while the headset is in use
     float hapticStrength = 1.0f;  ///< factor on every vibration
 };
 

@@ -26,6 +26,11 @@ class StereoView {
     /// See WornVisor::sentence().
     std::string_view dazzled() const { return visor_.sentence(parameters_); }
 
+    /// Returns true if the trainee sees little but the arc, through a dark visor.
+    bool dark(const LessonSession& session) const {
+        return session.running() && isArcWelding(session.lesson().process) && visor_.hides(parameters_);
+    }
+
     /// Sets the contents of draw() other than the metal.
     void takeHands(const HeadsetHands& hands, const PanelPointer& panel);
     /// Draws both eyes. `lesson`: the lesson's scene of this frame; `place`: the place of its workpiece.

@@ -28,6 +28,10 @@ class Visor {
 
     /// 1 dark .. 0 clear.
     float darkness(const HeadsetParameters& parameters) const { return parameters.visor ? heat_.darkness() : 0; }
+    /// Returns true if the visor of a weld is nearly dark.
+    bool hides(const HeadsetParameters& parameters) const {
+        return parameters.visor && worn_.filter().darkness() > 0.5f;
+    }
     /// After-image of an arc in the eye; empty if the eye does not adapt.
     AfterImage afterImage(const HeadsetParameters& parameters) const {
         return parameters.adaptation ? worn_.eye().afterImage() : AfterImage{};

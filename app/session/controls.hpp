@@ -9,7 +9,7 @@ namespace meltpool {
 
 enum class Mode {
     interact, ///< the simulation runs, the camera orbits the metal, the mouse holds the source
-    view      ///< the simulation is paused, the camera flies, the mouse turns it
+    view      ///< the lesson is paused, also for a hand in the headset; the camera flies, the mouse turns it
 };
 
 class Controls {

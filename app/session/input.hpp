@@ -39,6 +39,7 @@ enum class Key {
     f3,
     f4,
     f5,
+    f6,
     f10,
     f11,
     f12,

@@ -95,7 +95,7 @@ void LessonSession::beginOver(Activity& activity) {
 void LessonSession::beginAttempt() {
     picture_.cut().close();
     run_.forgetSurfaceDistance();
-    paused_ = false;
+    paused_ = pausing_ = false;
     question_ = {};
     beginOver(attempt());
     if (const std::string fault = attempt().begin(*run_.trainer(), values_.forScore()); !fault.empty())

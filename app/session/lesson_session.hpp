@@ -63,8 +63,9 @@ class LessonSession {
     TorchLeader leader() const { return lead_.leader(activities_.allowed()); }
     /// True while the person's own arc burns: to interrupt the frames now would lose the hand's motion.
     bool welds() const { return activities_.allowed().ownTorch && run_.arc().burns(); }
-    /// True if the last frame made no step, because the person looks around or the weld is cut open.
-    bool paused() const { return paused_; }
+    /// True if the lesson is paused or the weld is cut open: the last frame made no step, or steps that put a hand's
+    /// arc out.
+    bool paused() const { return paused_ || pausing_; }
     Attempt& attempt() { return activities_.attempt; }
     const Attempt& attempt() const { return activities_.attempt; }
     /// Files and checkpoints of the attempts.
@@ -72,7 +73,7 @@ class LessonSession {
     const AttemptLog& log() const { return attempt().log(); }
 
     /// Runs the steps that fit into `seconds` of real time, also of a comparison. The torch follows `held`, or the
-    /// controls if that is empty; then view mode pauses the steps.
+    /// controls if that is empty. View mode pauses the steps.
     void advance(const Controls& controls, double seconds, gl::Profiler* profiler, const TorchSource& held = {});
     /// First of the three parts of advance(); the other two belong to run(), see LessonRun::beginSteps(). `controls`
     /// must not change until the steps are finished. False: all is done.
@@ -137,6 +138,7 @@ class LessonSession {
     HelpSections help_;
     Question question_;
     bool paused_ = false;
+    bool pausing_ = false; ///< the pause begins once the hand's arc is out
     // controls of the frame whose steps are made
     const Controls* controls_ = nullptr;
     TorchSource held_;

@@ -7,10 +7,12 @@
 
 namespace meltpool {
 
-/// No steps are made in view mode, while the weld is cut open, and before a question is answered.
+/// No steps are made in view mode, while the weld is cut open, and before a question is answered. A hand's arc goes out
+/// before the pause: it would burn on in the trainee's view, behind a dark visor.
 bool LessonSession::waits(const Controls& controls) {
-    const bool looks = controls.mode() == Mode::view && leader() != TorchLeader::hand;
-    const bool pause = looks || picture_.cut().shown();
+    const bool looks = controls.mode() == Mode::view;
+    pausing_ = looks && leader() == TorchLeader::hand && run_.arc().burns() && run_.fault().empty();
+    const bool pause = (looks && !pausing_) || picture_.cut().shown();
     if (pause != paused_) run_.event(pause ? "paused" : "resumed");
     paused_ = pause;
     return pause || question_.asked();
@@ -66,7 +68,9 @@ void LessonSession::moveCut(const Controls& controls) {
 }
 
 TorchSample LessonSession::nextTorch(int step, int steps) {
-    return lead_.next(*run_.trainer(), *controls_, held_, picture_.fixture().turn, step, steps);
+    TorchSample torch = lead_.next(*run_.trainer(), *controls_, held_, picture_.fixture().turn, step, steps);
+    if (pausing_) torch.trigger = 0;
+    return torch;
 }
 
 } // namespace meltpool

@@ -18,6 +18,8 @@ struct Message {
 
 /// Topic of the message that the metal is slower than the clock.
 inline constexpr std::string_view kSlowTopic = "slow";
+/// Topic of the message on what the person at the desk did, which the person in the headset reads too.
+inline constexpr std::string_view kDeskTopic = "desk did";
 
 class Messages {
   public:

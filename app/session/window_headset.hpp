@@ -45,9 +45,16 @@ class WindowHeadset {
     /// Submits the frame to the runtime.
     virtual void end() = 0;
 
-    /// Fills the window's frame buffer of `pixels` with the left eye's picture, cut to the window's shape. Returns
-    /// false if the person does not want it or there is no picture.
-    virtual bool mirror(glm::ivec2 pixels) = 0;
+    /// Shows a question on the panel until it is answered; null: none. `question` must outlive this or the next call.
+    virtual void ask(Question* question) = 0;
+
+    /// Fills the window's frame buffer of `pixels` with what the left eye sees, panel and notice too, cut to the
+    /// window's shape. Returns false if the window shows its own camera or there is no picture. Throws InputError if
+    /// the shaders cannot be used.
+    virtual bool mirror(glm::ivec2 pixels, gl::ShaderLibrary& shaders) = 0;
+    /// Turns to the next choice of what the window shows: by itself, its own camera, the trainee's eye. Returns a
+    /// sentence about it.
+    virtual std::string_view nextDeskView() = 0;
 
     /// True if no headset can be expected; see sentence().
     virtual bool hopeless() const = 0;

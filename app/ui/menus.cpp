@@ -155,7 +155,7 @@ void programKeys(Context& context) {
                                        {{w, "  ", s}, "help.forwards_and_back"},
                                        {{a, "  ", d}, "help.to_the_sides"},
                                        {{q, "  ", e}, "help.down_and_up"}}};
-    const std::array<Shortcut, 9> program{
+    const std::array<Shortcut, 10> program{
         {{context.key(Key::v), "help.work_or_pause_and_look_around"},
          {context.key(Key::h), "help.home_all_lessons"},
          {{context.key(Key::c), "  ", phrase("help.key.escape")}, "help.catch_or_free_the_mouse"},
@@ -163,6 +163,7 @@ void programKeys(Context& context) {
          {"F2  F3  F4", "help.view_machine_timings"},
          {{phrase("help.key.tab")}, "help.hide_and_show_all_panels"},
          {"F10  F12", "help.save_the_window_the_metal_in_4k"},
+         {"F6", "help.view_of_the_headset"},
          {"F11", "help.full_screen"},
          {{phrase("help.key.arrows_enter")}, "help.in_the_list_of_lessons"}}};
     shortcutColumn(context, phrase("help.heading.camera_free").c_str(), fly);
