@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <array>
-                            {home, section_, warning(), hands_.tipReport(), hands_.tipMeasured(), figures, question_});
+#include <cmath>
+#include <utility>
 
 namespace meltpool {
 
@@ -196,8 +197,10 @@ void HeadsetFrontEnd::placeWorkshop(LessonSession& session, double elapsed) {
     if (!placing_.due() || hands_.torch().trigger() > 0) return;
     std::array<xr::EyeView, 2> eyes;
     if (!headset.locateEyes(eyes)) return;
-                            {home, section_, warning(), hands_.tipReport(), hands_.tipMeasured(), figures, question_});
-    workshop_.recentre(head, parameters_, headset.session().originOnFloor());
+    const bool set = parameters_.table == HeadsetParameters::kSetHeight;
+    parameters_.tableHeight = workshop_.place(middle(eyes), set ? std::optional(parameters_.setHeight) : std::nullopt,
+                                              headset.session().originOnFloor());
+    placing_.placed(middle(eyes));
     panel_.forgetHeight();
     changes_.recentred(hands_, session);
 }

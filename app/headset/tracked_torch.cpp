@@ -11,6 +11,8 @@ namespace {
 
 /// Shortest frame, s: frames in bursts are no faster than a display shows them.
 constexpr double kShortestFrame = 1.0 / 90;
+/// Longest frame whose whole way counts, s: over a longer way in one slow frame nobody steered the arc.
+constexpr double kLongestFrame = 1.0 / 30;
 
 } // namespace
 
@@ -56,7 +58,7 @@ void TrackedTorch::update(const xr::HandInput& hand, const xr::TipCalibration& c
     now_ = calibration.tip(workshop.toWorkshop(hand.grip));
     known_ = true;
     const float way = glm::distance(now_.position, before_.position);
-    const bool jumps = way > kFastestHand * static_cast<float>(std::max(elapsed, kShortestFrame));
+    const bool jumps = way > kFastestHand * static_cast<float>(std::clamp(elapsed, kShortestFrame, kLongestFrame));
     if (continues && jumps && pulled) putOut(ArcOut::tipJumped);
     // A torch that is tracked again starts at its new place; it does not travel there from the place of its loss.
     if (!continues || jumps || jumped_) before_ = now_;

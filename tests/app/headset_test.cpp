@@ -176,6 +176,23 @@ TEST_CASE("the tip follows the calibration, and steps divide the frame's way eve
     CHECK(first.trigger == 1.0f);
 }
 
+TEST_CASE("a slow frame lets no jump through: the tip's way counts, however long the frame was") {
+    const Workshop workshop;
+    const auto lockedAfter = [&](float way, double elapsed) {
+        TrackedTorch torch;
+        xr::HandInput hand = handAt({0, 1, 0});
+        hand.trigger = 0;
+        torch.update(hand, {}, workshop, 0.02);
+        hand.trigger = 1;
+        torch.update(hand, {}, workshop, 0.02);
+        torch.update(handAt({way, 1, 0}), {}, workshop, elapsed);
+        return torch.triggerLock().locked();
+    };
+    CHECK(lockedAfter(0.30f, 0.5));
+    CHECK_FALSE(lockedAfter(0.10f, 0.5)); // a hand at 0.2 m/s
+    CHECK_FALSE(lockedAfter(0.03f, 0.011));
+}
+
 TEST_CASE("losing the hand puts the arc out at once, and its return draws no line") {
     HeadsetParameters parameters;
     const WorkpiecePlace place(parameters.tableHeight, parameters.zoom, 0.0f);
