@@ -102,6 +102,7 @@ void RuntimeWorker::poll() {
 
 void RuntimeWorker::waitFrame() {
     timing = session->waitFrame();
+    if (session->takeMaskChange()) masks.read(*session);
     const SessionNews fresh = session->takeNews(timing.displayTime);
     if (fresh.profileChanged) input->onProfileChanged();
     news.add(fresh);

@@ -3,6 +3,7 @@
 
 #include "core/gl/texture.hpp"
 #include "xr/call_thread.hpp"
+#include "xr/hidden_triangles.hpp"
 #include "xr/input.hpp"
 #include "xr/newer_openxr.hpp"
 #include "xr/panel.hpp"
@@ -86,6 +87,7 @@ class RuntimeWorker : public ThreadOwned {
     FrameTiming timing;
     SessionNews news; ///< news for the frame waited for, cleared by the reader
     std::array<EyeView, 2> views;
+    HiddenMasks masks;
     bool headTracked = false;
     GLsync copied = nullptr; ///< reached when the submission's textures may be drawn into again
     FrameSubmission submission;
