@@ -116,7 +116,7 @@ bool Headset::locateEyes(std::array<EyeView, 2>& eyes) {
 bool Headset::drawEyes(FunctionRef<void(const BothEyes&)> draw) {
     if (!worker_->headTracked) return false;
     draw({worker_->views, targets_->framebuffer(), targets_->width(), targets_->height(), targets_->encodesSrgb(),
-          settings_.nearZ, settings_.farZ});
+          settings_.nearZ, settings_.farZ, worker_->masks.triangles()});
     // The worker may still be copying the last frame's pictures.
     if (worker_->copied != nullptr) {
         glWaitSync(worker_->copied, 0, GL_TIMEOUT_IGNORED);

@@ -20,6 +20,7 @@ struct BothEyes {
     bool encodesSrgb = true; ///< the colour format is sRGB
     float nearZ = 0;         ///< m, near plane of the projection, for the depth layer
     float farZ = 0;
+    HiddenTriangles hidden; ///< parts that the lenses do not show
 };
 
 /// One session on one instance. A frame is:

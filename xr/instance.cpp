@@ -19,9 +19,16 @@ constexpr const char* kUserPresence = "XR_EXT_user_presence";
 
 /// Extensions that are enabled if the runtime offers them; interaction profiles name further ones.
 constexpr std::array kOptional{
-    "XR_MNDX_egl_enable", "XR_KHR_composition_layer_depth", "XR_HTCX_vive_tracker_interaction",
-    "XR_FB_haptic_pcm",   "XR_FB_display_refresh_rate",     kUserPresence,
-    "XR_EXT_local_floor", "XR_EXT_performance_settings",    "XR_FB_composition_layer_depth_test",
+    "XR_MNDX_egl_enable",
+    "XR_KHR_composition_layer_depth",
+    "XR_HTCX_vive_tracker_interaction",
+    "XR_FB_haptic_pcm",
+    "XR_FB_display_refresh_rate",
+    kUserPresence,
+    "XR_KHR_visibility_mask",
+    "XR_EXT_local_floor",
+    "XR_EXT_performance_settings",
+    "XR_FB_composition_layer_depth_test",
 };
 
 std::vector<std::string> wantedExtensions(const std::vector<std::string>& offered) {

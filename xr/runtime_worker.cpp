@@ -102,6 +102,7 @@ void RuntimeWorker::poll() {
 
 void RuntimeWorker::waitFrame() {
     timing = session->waitFrame();
+    if (session->takeMaskChange()) masks.read(*session);
     const SessionNews fresh = session->takeNews(timing.displayTime);
     if (fresh.profileChanged) input->onProfileChanged();
     news.add(fresh);
@@ -147,34 +148,34 @@ void RuntimeWorker::submitEyes() {
         depth_[eye]->release();
     }
     fillProjection();
-    layers_[layerCount_++] = reinterpret_cast<const XrCompositionLayerBaseHeader*>(&projection_);
+    layers_.list[layers_.count++] = reinterpret_cast<const XrCompositionLayerBaseHeader*>(&layers_.projection);
 }
 
 void RuntimeWorker::fillProjection() {
     for (size_t eye = 0; eye < views.size(); ++eye) {
-        XrCompositionLayerProjectionView& view = projectionViews_[eye];
+        XrCompositionLayerProjectionView& view = layers_.views[eye];
         view = {XR_TYPE_COMPOSITION_LAYER_PROJECTION_VIEW};
         view.pose = toXr(views[eye].pose);
         view.fov = toXr(views[eye].fov);
         view.subImage = colour_[eye]->subImage();
         if (depth_[eye] == nullptr) continue;
-        depthInfos_[eye] = {XR_TYPE_COMPOSITION_LAYER_DEPTH_INFO_KHR};
-        depthInfos_[eye].subImage = depth_[eye]->subImage();
-        depthInfos_[eye].minDepth = 0.0f;
-        depthInfos_[eye].maxDepth = 1.0f;
-        depthInfos_[eye].nearZ = settings_.nearZ;
-        depthInfos_[eye].farZ = settings_.farZ;
-        view.next = &depthInfos_[eye];
+        layers_.depths[eye] = {XR_TYPE_COMPOSITION_LAYER_DEPTH_INFO_KHR};
+        layers_.depths[eye].subImage = depth_[eye]->subImage();
+        layers_.depths[eye].minDepth = 0.0f;
+        layers_.depths[eye].maxDepth = 1.0f;
+        layers_.depths[eye].nearZ = settings_.nearZ;
+        layers_.depths[eye].farZ = settings_.farZ;
+        view.next = &layers_.depths[eye];
     }
-    projection_.type = XR_TYPE_COMPOSITION_LAYER_PROJECTION;
+    layers_.projection.type = XR_TYPE_COMPOSITION_LAYER_PROJECTION;
     if (testsLayerDepth()) {
         // The compositor's depths are infinitely far at first: the eyes write theirs, and the quads behind are tested.
-        projectionDepthTest_ = {XR_TYPE_COMPOSITION_LAYER_DEPTH_TEST_FB, nullptr, XR_TRUE, XR_COMPARE_OP_ALWAYS_FB};
-        projection_.next = &projectionDepthTest_;
+        layers_.projectionTest = {XR_TYPE_COMPOSITION_LAYER_DEPTH_TEST_FB, nullptr, XR_TRUE, XR_COMPARE_OP_ALWAYS_FB};
+        layers_.projection.next = &layers_.projectionTest;
     }
-    projection_.space = session->space();
-    projection_.viewCount = uint32_t(projectionViews_.size());
-    projection_.views = projectionViews_.data();
+    layers_.projection.space = session->space();
+    layers_.projection.viewCount = uint32_t(layers_.views.size());
+    layers_.projection.views = layers_.views.data();
 }
 
 void RuntimeWorker::submitQuad(size_t which) {
@@ -187,13 +188,13 @@ void RuntimeWorker::submitQuad(size_t which) {
     }
     if (!filled_[which]) return; // a layer needs a picture
     const PanelShape& shape = which == size_t(Quad::panel) ? settings_.panel : settings_.notice;
-    XrCompositionLayerQuad& quad = quadLayers_[which];
+    XrCompositionLayerQuad& quad = layers_.quads[which];
     quad.type = XR_TYPE_COMPOSITION_LAYER_QUAD;
     quad.next = nullptr;
     if (submission.eyes && testsLayerDepth()) {
         // Without a write, so that the panel's clear parts do not hide the notice behind them.
-        quadDepthTest_ = {XR_TYPE_COMPOSITION_LAYER_DEPTH_TEST_FB, nullptr, XR_FALSE, XR_COMPARE_OP_LESS_OR_EQUAL_FB};
-        quad.next = &quadDepthTest_;
+        layers_.quadTest = {XR_TYPE_COMPOSITION_LAYER_DEPTH_TEST_FB, nullptr, XR_FALSE, XR_COMPARE_OP_LESS_OR_EQUAL_FB};
+        quad.next = &layers_.quadTest;
     }
     quad.layerFlags = XR_COMPOSITION_LAYER_BLEND_TEXTURE_SOURCE_ALPHA_BIT;
     quad.space = session->space();
@@ -202,7 +203,7 @@ void RuntimeWorker::submitQuad(size_t which) {
     quad.pose = toXr(shown.pose);
     quad.size = {shape.width,
                  shape.width * static_cast<float>(shape.heightPixels) / static_cast<float>(shape.widthPixels)};
-    layers_[layerCount_++] = reinterpret_cast<const XrCompositionLayerBaseHeader*>(&quad);
+    layers_.list[layers_.count++] = reinterpret_cast<const XrCompositionLayerBaseHeader*>(&quad);
 }
 
 void RuntimeWorker::play() {
@@ -218,18 +219,18 @@ void RuntimeWorker::awaitDrawing() {
 }
 
 void RuntimeWorker::endFrame() {
-    layerCount_ = 0;
+    layers_.count = 0;
     waitFor(submission.drawn);
     if (submission.eyes) submitEyes();
     for (size_t i = 0; i < kQuads; ++i)
         if (submission.quads[i].shown) submitQuad(i);
-    if (layerCount_ > 0) {
+    if (layers_.count > 0) {
         copied = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
         glFlush();
         if (software_) glFinish();
     }
     play();
-    session->endFrame(timing.displayTime, layers_.data(), layerCount_);
+    session->endFrame(timing.displayTime, layers_.list.data(), layers_.count);
     poll();
 }
 

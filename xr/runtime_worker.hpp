@@ -3,6 +3,7 @@
 
 #include "core/gl/texture.hpp"
 #include "xr/call_thread.hpp"
+#include "xr/hidden_triangles.hpp"
 #include "xr/input.hpp"
 #include "xr/newer_openxr.hpp"
 #include "xr/panel.hpp"
@@ -48,6 +49,18 @@ struct FrameSubmission {
     bool trackerPlays = false;
 };
 
+/// Layers of a frame as the runtime reads them.
+struct FrameLayers {
+    std::array<XrCompositionLayerProjectionView, 2> views{};
+    std::array<XrCompositionLayerDepthInfoKHR, 2> depths{};
+    XrCompositionLayerProjection projection{};
+    XrCompositionLayerDepthTestFB projectionTest{};
+    std::array<XrCompositionLayerQuad, kQuads> quads{};
+    XrCompositionLayerDepthTestFB quadTest{};
+    std::array<const XrCompositionLayerBaseHeader*, 1 + kQuads> list{}; ///< from the back to the front
+    uint32_t count = 0;
+};
+
 /// The drawing thread may use the public members between calls only.
 class RuntimeWorker : public ThreadOwned {
   public:
@@ -86,6 +99,7 @@ class RuntimeWorker : public ThreadOwned {
     FrameTiming timing;
     SessionNews news; ///< news for the frame waited for, cleared by the reader
     std::array<EyeView, 2> views;
+    HiddenMasks masks;
     bool headTracked = false;
     GLsync copied = nullptr; ///< reached when the submission's textures may be drawn into again
     FrameSubmission submission;
@@ -107,14 +121,7 @@ class RuntimeWorker : public ThreadOwned {
     std::array<std::unique_ptr<Swapchain>, kQuads> quads_;
     std::array<bool, kQuads> filled_{}; ///< a picture was released into the swapchain
     std::unique_ptr<gl::Framebuffer> from_, to_;
-    std::array<XrCompositionLayerProjectionView, 2> projectionViews_{};
-    std::array<XrCompositionLayerDepthInfoKHR, 2> depthInfos_{};
-    XrCompositionLayerProjection projection_{};
-    XrCompositionLayerDepthTestFB projectionDepthTest_{};
-    XrCompositionLayerDepthTestFB quadDepthTest_{};
-    std::array<XrCompositionLayerQuad, kQuads> quadLayers_{};
-    std::array<const XrCompositionLayerBaseHeader*, 1 + kQuads> layers_{};
-    uint32_t layerCount_ = 0;
+    FrameLayers layers_;
 };
 
 } // namespace meltpool::xr

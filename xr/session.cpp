@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <chrono>
 #include <thread>
-#include <utility>
 
 namespace meltpool::xr {
 
@@ -159,6 +158,9 @@ void Session::onEvent(const XrEventDataBuffer& event) {
         break;
     case XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED:
         news_.profileChanged = true;
+        break;
+    case XR_TYPE_EVENT_DATA_VISIBILITY_MASK_CHANGED_KHR:
+        maskChanged_ = true;
         break;
     case XR_TYPE_EVENT_DATA_USER_PRESENCE_CHANGED_EXT:
         news_.worn = reinterpret_cast<const XrEventDataUserPresenceChangedEXT&>(event).isUserPresent == XR_TRUE;

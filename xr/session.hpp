@@ -8,6 +8,7 @@
 
 #include <array>
 #include <optional>
+#include <utility>
 
 namespace meltpool::xr {
 
@@ -70,6 +71,8 @@ class Session {
     /// The news of all polls since the last call. A moved space waits for a frame whose `displayTime` has reached the
     /// change.
     SessionNews takeNews(XrTime displayTime);
+    /// True once after the runtime changed the hidden parts of the eyes' pictures.
+    bool takeMaskChange() { return std::exchange(maskChanged_, false); }
     /// Asks the runtime to end the session; poll() follows the states to its end.
     void requestExit();
 
@@ -106,6 +109,7 @@ class Session {
     XrTime displayTime_ = 0; ///< time of the frame last waited for
     SessionNews news_;
     XrTime spaceMovesAt_ = 0;
+    bool maskChanged_ = true;
 };
 
 } // namespace meltpool::xr

@@ -130,7 +130,12 @@ void StereoView::draw(LessonSession& session, const SceneView& lesson, const Wor
     const std::array<View, 2> views{viewOf(workshop, eyes.views[0], eyes), viewOf(workshop, eyes.views[1], eyes)};
     scene.ghost = session.picture().ghostMarkers(scene, between, place.zoom);
     scene.markers = session.picture().cueMarkers(scene, between);
-    renderer.draw(scene, look, views, {eyes.framebuffer, {0, 0, 2 * eyes.width, eyes.height}, eyes.encodesSrgb},
+    const HiddenArea hidden{eyes.hidden.corners, eyes.hidden.version};
+    renderer.draw(scene, look, views,
+                  {eyes.framebuffer,
+                   {0, 0, 2 * eyes.width, eyes.height},
+                   eyes.encodesSrgb,
+                   hidden.version == 0 ? nullptr : &hidden},
                   profiler);
 }
 

@@ -3,6 +3,7 @@
 #include "core/base/error.hpp"
 #include "core/render/effects_painter.hpp"
 #include "core/render/frame_block.hpp"
+#include "core/render/hidden_area_painter.hpp"
 #include "core/render/kept_sky.hpp"
 #include "core/render/line_of_sight.hpp"
 #include "core/render/look/environment.hpp"
@@ -84,6 +85,7 @@ struct Renderer::Parts {
     StrokePainter strokes;
     EffectsPainter effects;
     WorkshopPainter room;
+    HiddenAreaPainter hidden;
     TonedProgram points;
     TonedProgram sky;
     TonedProgram box;
@@ -109,6 +111,7 @@ Renderer::Parts::Parts(gl::ShaderLibrary& shaders, const std::filesystem::path& 
       strokes(shaders),
       effects(shaders),
       room(shaders),
+      hidden(shaders),
       points(shaders, "render/points.vert", "render/points.frag"),
       sky(shaders, "render/sky.vert", "render/sky.frag"),
       box(shaders, "render/box.vert", "render/box.frag"),
@@ -383,6 +386,7 @@ void Renderer::draw(const SceneView& scene, const LookParameters& look, std::spa
     parts_->effects.upload(scene, look);
     parts_->keepSky(look, views, target);
     parts_->clear(target);
+    parts_->hidden.draw(views, target);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     const auto count = static_cast<int>(views.size());

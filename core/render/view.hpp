@@ -5,7 +5,12 @@
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+
+#include <array>
+#include <cstdint>
+#include <span>
 
 namespace meltpool {
 
@@ -27,6 +32,12 @@ struct Viewport {
 /// Returns a column of a viewport that is divided into `columns` equal ones, counted from the left.
 Viewport columnOf(const Viewport& whole, int column, int columns);
 
+/// Parts of both eyes' pictures that the lenses do not show: corners of triangles in the plane z = -1 of each eye.
+struct HiddenArea {
+    std::array<std::span<const glm::vec2>, 2> corners; ///< three a triangle
+    std::uint64_t version = 0;                         ///< another one for other corners; 0: none
+};
+
 /// A frame buffer with colour and depth. Several views are side by side in equal columns of the viewport, from the
 /// left.
 struct RenderTarget {
@@ -35,6 +46,7 @@ struct RenderTarget {
     /// True: the colour attachment is an sRGB format, which encodes written values. False (a window): the shaders
     /// encode.
     bool encodesSrgb = false;
+    const HiddenArea* hidden = nullptr; ///< parts of two views that are not drawn; may be null
 };
 
 /// A symmetric perspective projection.

@@ -234,4 +234,43 @@ TEST_CASE("a driver takes the best way that it can, and says why it takes no bet
     CHECK(poor.sentence.find("only 2 clip distances") != std::string::npos);
 }
 
+TEST_CASE("the hidden part of each eye's picture keeps the cleared colour, and the rest is drawn as without it") {
+    std::vector<Solid> solids;
+    const SceneView scene = crowded(solids);
+    const std::array<View, 2> eyes = headsetEyes();
+    // All that is left of the middle, in each eye.
+    const std::array<glm::vec2, 6> strip{{{-1, -1}, {0, -1}, {-1, 1}, {-1, 1}, {0, -1}, {0, 1}}};
+    const HiddenArea hidden{{strip, strip}, 1};
+    const auto middle = [&](int eye) { // the column of pixels at x = 0
+        const glm::vec4 clip = eyes[static_cast<size_t>(eye)].eyeToClip * glm::vec4(0, 0, -1, 1);
+        return static_cast<int>((clip.x / clip.w * 0.5f + 0.5f) * kSize);
+    };
+    for (const ViewSubmission submission : kViewSubmissions) {
+        const PictureTarget whole(2 * kSize, kSize, kSamples), spared(2 * kSize, kSize, kSamples);
+        rendererBy(submission).draw(scene, {}, eyes, whole.target(), nullptr);
+        RenderTarget target = spared.target();
+        target.hidden = &hidden;
+        rendererBy(submission).draw(scene, {}, eyes, target, nullptr);
+        CHECK(glGetError() == GL_NO_ERROR);
+        const Image all = whole.read(), part = spared.read();
+        keep(part, "hidden-" + std::string(submissionName(submission)) + ".png");
+        for (const int eye : {0, 1}) {
+            INFO(submissionName(submission) << ", eye " << eye);
+            const Image before = column(all, eye, 2), after = column(part, eye, 2);
+            int drawn = 0, changed = 0;
+            for (int y = 0; y < kSize; ++y)
+                for (int x = 0; x < kSize; ++x) {
+                    const size_t at = 3 * (static_cast<size_t>(y) * kSize + static_cast<size_t>(x));
+                    const bool isClear = after.rgb[at] == after.rgb[0] && after.rgb[at + 1] == after.rgb[1];
+                    const bool isEqual = std::abs(int(after.rgb[at]) - int(before.rgb[at])) <= 2;
+                    if (x < middle(eye) - 1) drawn += isClear ? 0 : 1;
+                    if (x > middle(eye) + 1) changed += isEqual ? 0 : 1;
+                }
+            CHECK(drawn == 0);
+            CHECK(changed == 0);
+            CHECK(compareImages(before, after, 8).farPixels > 0.1);
+        }
+    }
+}
+
 } // namespace meltpool

@@ -60,7 +60,8 @@ class CountedHeadset {
             count(headset_->news());
             headset_->beginFrame();
             if (drawsEyes)
-                headset_->drawEyes([](const xr::BothEyes& eyes) {
+                headset_->drawEyes([this](const xr::BothEyes& eyes) {
+                    hidden = eyes.hidden;
                     glBindFramebuffer(GL_FRAMEBUFFER, eyes.framebuffer);
                     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
                 });
@@ -91,6 +92,7 @@ class CountedHeadset {
     XrTime displayTime = 0;                               ///< of the last frame
     XrTime movedAt = 0;                                   ///< displayTime of the last frame with a moved space
     bool drawsEyes = true;
+    xr::HiddenTriangles hidden; ///< of the last frame
 
   private:
     void count(const xr::SessionNews& news) {
@@ -266,4 +268,31 @@ TEST_CASE("panel and notice are tested against the eyes' depths, where the runti
         for (const test::StubLayer& layer : stubRuntime().layers())
             CHECK_FALSE(layer.tested);
     }
+}
+
+TEST_CASE("the hidden parts of the eyes are read at the start and after each change") {
+    CountedHeadset headset({.hidden = 0.25f});
+    REQUIRE(headset.frames(3));
+    const std::uint64_t first = headset.hidden.version;
+    CHECK(first != 0);
+    for (const std::span<const glm::vec2> corners : headset.hidden.corners) {
+        REQUIRE(corners.size() == 6);
+        CHECK(corners[1].x == Approx(-0.75));
+    }
+    REQUIRE(headset.frames(3));
+    CHECK(headset.hidden.version == first);
+    stubRuntime().changeMask(0.5f);
+    REQUIRE(headset.frames(3));
+    CHECK(headset.hidden.version > first);
+    CHECK(headset.hidden.corners[1][1].x == Approx(-0.5));
+    stubRuntime().changeMask(0.0f);
+    REQUIRE(headset.frames(3));
+    CHECK(headset.hidden.version == 0);
+}
+
+TEST_CASE("a mask is written out triangle by triangle, without triangles of unknown corners") {
+    const std::vector<XrVector2f> vertices{{0, 0}, {1, 0}, {0, 1}};
+    const std::vector<uint32_t> indices{0, 1, 2, 2, 1, 3, 1, 0, 2, 0};
+    const std::vector<glm::vec2> expected{{0, 0}, {1, 0}, {0, 1}, {1, 0}, {0, 0}, {0, 1}};
+    CHECK(xr::writeOut(vertices, indices) == expected);
 }

@@ -103,6 +103,14 @@ void StubRuntime::changeController(float lean) {
     send(XrEventDataInteractionProfileChanged{XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED});
 }
 
+void StubRuntime::changeMask(float hidden) {
+    {
+        const std::lock_guard lock(mutex_);
+        device_.hidden = hidden;
+    }
+    send(XrEventDataVisibilityMaskChangedKHR{XR_TYPE_EVENT_DATA_VISIBILITY_MASK_CHANGED_KHR});
+}
+
 bool StubRuntime::takeEvent(XrEventDataBuffer& event) {
     const std::lock_guard lock(mutex_);
     if (events_.empty()) return false;
@@ -234,6 +242,20 @@ XrResult requestRate(XrSession, float rate) {
     return XR_SUCCESS;
 }
 
+XrResult getMask(XrSession, XrViewConfigurationType, uint32_t, XrVisibilityMaskTypeKHR, XrVisibilityMaskKHR* mask) {
+    const float hidden = stubRuntime().device().hidden;
+    constexpr std::array<uint32_t, 6> kIndices{0, 1, 2, 2, 1, 3};
+    constexpr uint32_t kVertices = 4;
+    const bool none = hidden <= 0;
+    mask->vertexCountOutput = none ? 0 : kVertices;
+    mask->indexCountOutput = none ? 0 : uint32_t(kIndices.size());
+    if (none || mask->vertexCapacityInput < kVertices) return XR_SUCCESS;
+    for (uint32_t i = 0; i < kVertices; ++i)
+        mask->vertices[i] = {i % 2 == 0 ? -1.0f : -1.0f + hidden, i < 2 ? -1.0f : 1.0f};
+    std::copy(kIndices.begin(), kIndices.end(), mask->indices);
+    return XR_SUCCESS;
+}
+
 XrResult setPerformanceLevel(XrSession, XrPerfSettingsDomainEXT, XrPerfSettingsLevelEXT level) {
     if (level == XR_PERF_SETTINGS_LEVEL_SUSTAINED_HIGH_EXT) stubRuntime().onSustained();
     return XR_SUCCESS;
@@ -258,7 +280,8 @@ constexpr std::array kExtensions{"XR_KHR_opengl_enable",
                                  "XR_EXT_local_floor",
                                  "XR_EXT_performance_settings",
                                  "XR_FB_display_refresh_rate",
-                                 "XR_FB_composition_layer_depth_test"};
+                                 "XR_FB_composition_layer_depth_test",
+                                 "XR_KHR_visibility_mask"};
 
 std::vector<std::string> offeredByStub() {
     const std::vector<std::string> withheld = stubRuntime().device().withheld;
@@ -322,6 +345,7 @@ XrResult xrGetInstanceProcAddr(XrInstance, const char* name, PFN_xrVoidFunction*
         stubFunction("xrGetOpenGLGraphicsRequirementsKHR", "XR_KHR_opengl_enable", openGlRequirements),
         stubFunction("xrEnumerateDisplayRefreshRatesFB", "XR_FB_display_refresh_rate", enumerateRates),
         stubFunction("xrRequestDisplayRefreshRateFB", "XR_FB_display_refresh_rate", requestRate),
+        stubFunction("xrGetVisibilityMaskKHR", "XR_KHR_visibility_mask", getMask),
         stubFunction("xrPerfSettingsSetPerformanceLevelEXT", "XR_EXT_performance_settings", setPerformanceLevel),
     };
     for (const StubFunction& known : functions) {

@@ -22,6 +22,7 @@ struct StubDevice {
     bool presence = true;                      ///< has a sensor for the head
     bool stage = true;                         ///< offers STAGE
     float lean = 0;                            ///< radians that the aim points above the grip
+    float hidden = 0; ///< width of a hidden strip at the left of both eyes, in the plane z = -1
     std::vector<float> rates{72, 120, 90, 80}; ///< display rates, Hz
 };
 
@@ -42,6 +43,7 @@ class StubRuntime {
     void wear(bool worn);
     /// Puts a controller into the hand whose aim points `lean` radians above its grip.
     void changeController(float lean);
+    void changeMask(float hidden);
     void changeState(XrSessionState state);
 
     /// Requests and submissions of the program.

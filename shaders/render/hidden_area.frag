@@ -1,0 +1,5 @@
+// Writes only the depth.
+#version 450 core
+
+void main() {
+}
