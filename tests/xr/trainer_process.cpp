@@ -29,8 +29,7 @@ std::vector<std::string> launched(const fs::path& program, const std::vector<std
     return words;
 }
 
-int start(const std::vector<std::string>& arguments, const fs::path& folder, const std::string& preload,
-          const std::string& window) {
+int start(const std::vector<std::string>& arguments, const fs::path& folder, const std::string& preload) {
     const std::vector<std::string> words = launched(test::buildFolder() / "bin" / "meltpool", arguments);
     std::vector<char*> pointers;
     for (const std::string& word : words)
