@@ -155,25 +155,6 @@ void showWindow(const std::string& title) {
     cornerOf(title, true);
 }
 
-void pressKey(const std::string& title, const std::string& symbol) {
-    Display* display = XOpenDisplay(nullptr);
-    if (display == nullptr) throw RuntimeFault("no X display for the key");
-    XEvent event{};
-    XKeyEvent& key = event.xkey;
-    key.display = display;
-    key.window = windowOf(display, title);
-    key.root = DefaultRootWindow(display);
-    key.same_screen = 1;
-    key.keycode = XKeysymToKeycode(display, XStringToKeysym(symbol.c_str()));
-    for (const int type : {KeyPress, KeyRelease}) {
-        event.type = type;
-        key.time += 1; // GLFW ignores a second event of one time
-        XSendEvent(display, key.window, 1, type == KeyPress ? KeyPressMask : KeyReleaseMask, &event);
-    }
-    XSync(display, 0);
-    XCloseDisplay(display);
-}
-
 Image windowPicture(const std::string& title) {
     const Corner corner = cornerOf(title, false);
     const Image screen = screenshot();

@@ -32,10 +32,6 @@ void showWindow(const std::string& title);
 /// Takes a picture of the window of that title.
 Image windowPicture(const std::string& title);
 
-/// Presses and releases a key in the window of that title; `symbol` is X's name of it, such as "F5". Throws
-/// RuntimeFault if there is no such window.
-void pressKey(const std::string& title, const std::string& symbol);
-
 /// Cuts out the compositor's picture of an eye (0 left, 1 right) on that screen.
 Image shownEye(const Image& screen, int eye);
 
