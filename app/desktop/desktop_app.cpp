@@ -206,7 +206,7 @@ void DesktopApp::drawHeadset(double seconds) {
     act(request, Seat::headset);
 }
 
-/// Carries out the answers to questions, whoever gave them.
+/// Carries out the answers to questions at both places.
 void DesktopApp::settleQuestions() {
     for (const Seat seat : {Seat::desk, Seat::headset})
         if (const MenuRequest confirmed = seats_.takeConfirmed(seat); confirmed != MenuRequest::none)

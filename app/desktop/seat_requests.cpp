@@ -10,7 +10,7 @@ namespace meltpool {
 
 namespace {
 
-/// Request that the other person is told of.
+/// Request that the other person reads about.
 struct ToldRequest {
     MenuRequest request;
     std::string_view event;                ///< value for the record

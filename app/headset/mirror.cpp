@@ -44,7 +44,7 @@ void Mirror::drawFlat(const xr::Headset& headset) const {
     program_->use();
     program_->set("decoded", headset.eyes().encodesSrgb() ? 1 : 0);
     empty_.bind();
-    for (size_t i = 0; i < count_; ++i) {
+    for (size_t i = count_; i-- > 0;) {
         const xr::PanelShape& shape = flat_[i].picture->shape();
         const float height = shape.width * float(shape.heightPixels) / float(shape.widthPixels);
         program_->set("toClip", toClip * glm::scale(flat_[i].pose.matrix(), {shape.width, height, 1.0f}));

@@ -12,8 +12,8 @@ class Mirror {
   public:
     /// Begins a frame without flat pictures.
     void forgetFlat() { count_ = 0; }
-    /// Adds a flat picture that this frame shows at `pose` of the session's space, in front of those before. `picture`
-    /// must live until draw().
+    /// Adds a flat picture that this frame shows at `pose` of the session's space, behind the one before: the runtime
+    /// lays the notice over the panel. `picture` must live until draw().
     void addFlat(const xr::Panel& picture, const xr::Pose& pose);
     /// Fills the window's frame buffer with the middle of the left eye's view, in the window's shape. Throws InputError
     /// if the shaders cannot be used.
@@ -27,7 +27,7 @@ class Mirror {
 
     void drawFlat(const xr::Headset& headset) const;
 
-    std::array<Flat, 2> flat_; ///< panel and notice
+    std::array<Flat, 2> flat_; ///< notice and panel
     size_t count_ = 0;
     const gl::Program* program_ = nullptr; ///< loaded by the first draw()
     gl::VertexArray empty_{"mirror"};
