@@ -130,15 +130,16 @@ bool Headset::drawEyes(FunctionRef<void(const BothEyes&)> draw) {
 }
 
 void Headset::show(Quad quad, const Panel& picture, const Pose& pose, bool fresh) {
-    worker_->submission.quads[size_t(quad)] = {true, fresh, picture.texture(), pose};
+    worker_->submission.quads[size_t(quad)] = {true, fresh, picture.texture(), pose, 0};
 }
 
 void Headset::showPanel(const Pose& pose) {
     show(Quad::panel, *panel_, pose, true);
 }
 
-void Headset::showNotice(const Pose& pose, bool fresh) {
+void Headset::showNotice(const Pose& pose, float width, bool fresh) {
     show(Quad::notice, *notice_, pose, fresh);
+    worker_->submission.quads[size_t(Quad::notice)].width = width;
 }
 
 void Headset::play(Hand which, const HapticPulse& pulse) {

@@ -82,8 +82,9 @@ class Headset {
     bool drawEyes(FunctionRef<void(const BothEyes&)> draw);
     /// Shows the panel at this pose in this frame.
     void showPanel(const Pose& pose);
-    /// Shows the notice at this pose in this frame. `fresh`: its picture was redrawn; else the last one is shown.
-    void showNotice(const Pose& pose, bool fresh);
+    /// Shows the notice at this pose, so wide (m), in this frame. `fresh`: its picture was redrawn; else the last one
+    /// is shown.
+    void showNotice(const Pose& pose, float width, bool fresh);
     /// Vibrates a controller, or the device wired to a tracker, from the end of the frame on; a silent pulse stops it.
     void play(Hand which, const HapticPulse& pulse);
     void playTracker(size_t which, const HapticPulse& pulse);

@@ -201,8 +201,8 @@ void RuntimeWorker::submitQuad(size_t which) {
     quad.eyeVisibility = XR_EYE_VISIBILITY_BOTH;
     quad.subImage = chain.subImage();
     quad.pose = toXr(shown.pose);
-    quad.size = {shape.width,
-                 shape.width * static_cast<float>(shape.heightPixels) / static_cast<float>(shape.widthPixels)};
+    const float metres = shown.width > 0 ? shown.width : shape.width;
+    quad.size = {metres, metres * static_cast<float>(shape.heightPixels) / static_cast<float>(shape.widthPixels)};
     layers_.list[layers_.count++] = reinterpret_cast<const XrCompositionLayerBaseHeader*>(&quad);
 }
 

@@ -32,7 +32,8 @@ struct QuadSubmission {
     bool shown = false;
     bool fresh = false; ///< the texture has a new picture; else the last one is shown again
     GLuint texture = 0;
-    Pose pose; ///< pose in the session's space
+    Pose pose;       ///< pose in the session's space
+    float width = 0; ///< m; 0: the shape's
 };
 
 /// Contents that the drawing thread submits at the end of a frame. Set between calls.

@@ -11,6 +11,8 @@ namespace meltpool {
 
 namespace {
 
+constexpr double kHoldForAgain = 1; // s
+
 xr::HeadsetSettings settingsOf(const HeadsetParameters& parameters) {
     xr::HeadsetSettings settings;
     settings.resolutionScale = parameters.resolutionScale;
@@ -82,7 +84,7 @@ void HeadsetFrontEnd::readHands(LessonSession& session, const Home& home, double
     panel_.update(input, workshop_, headset.panel().shape(), hands_.torchHand());
     followPage(session, home);
     movePanel(session, elapsed);
-    askAgain(session, input);
+    askAgain(session, input, elapsed);
     if (headset.mode() == xr::SessionMode::focused)
         focusedOpening_ = connection_.openings();
     else
@@ -97,7 +99,7 @@ void HeadsetFrontEnd::readHands(LessonSession& session, const Home& home, double
     if (panel_.pointingHand() == hands_.torchHand()) hands_.putOut(ArcOut::panel);
     if (session.paused()) hands_.putOut(ArcOut::paused);
     changes_.takeTorch(hands_, session);
-    view_.update(session, hands_.torch(), elapsed);
+    view_.update(session, hands_.torch(), page_ != Page::work, elapsed);
 }
 
 HeadsetFrontEnd::Page HeadsetFrontEnd::pageOf(const LessonSession& session, const Home& home) {
@@ -155,14 +157,17 @@ void HeadsetFrontEnd::movePanel(const LessonSession& session, double elapsed) {
     panel_.move(works, eyes, hands_.torchHand(), elapsed);
 }
 
-/// Asks for the next attempt while a result is shown, if the trigger of the hand without the torch is pulled and does
-/// not point at the panel.
-void HeadsetFrontEnd::askAgain(const LessonSession& session, const xr::Input& input) {
+/// Asks for the next attempt once the trigger of the hand without the torch has been held for kHoldForAgain over a
+/// result. A pull that began before the result, or points at the panel, asks for nothing.
+void HeadsetFrontEnd::askAgain(const LessonSession& session, const xr::Input& input, double elapsed) {
     const xr::Hand other = hands_.torchHand() == xr::Hand::right ? xr::Hand::left : xr::Hand::right;
     const xr::HandInput& hand = input.hand(other);
-    const bool pulled = hand.tracked && hand.trigger > 0.5f && panel_.pointingHand() != other;
-    again_ = pulled && !otherPulled_ && session.attempt().judged() && !session.question().asked();
-    otherPulled_ = pulled;
+    const bool pulled = hand.tracked && hand.trigger > 0.5f;
+    const bool free = page_ == Page::result && !session.question().asked() && panel_.pointingHand() != other;
+    const bool begins = !std::exchange(otherPulled_, pulled);
+    const double before = againHeld_;
+    againHeld_ = pulled && free && (begins || againHeld_ > 0) ? againHeld_ + elapsed : 0;
+    again_ = before < kHoldForAgain && againHeld_ >= kHoldForAgain;
 }
 
 /// Returns true if a hand has moved since the last call, or presses something.
@@ -215,7 +220,7 @@ MenuRequest HeadsetFrontEnd::draw(LessonSession& session, Home& home, const Less
     if (!inFrame_) return MenuRequest::none;
     drawEyes(session, elapsed, profiler);
     recordPerson(session);
-    if (inFrame_) drawNotice(figures, messages, elapsed);
+    if (inFrame_) drawNotice(session, figures, messages, elapsed);
     const MenuRequest asked = inFrame_ && panel_.open() ? drawMenu(session, home, figures, elapsed) : MenuRequest::none;
     return again_ && asked == MenuRequest::none ? MenuRequest::reset : asked;
 }
@@ -260,21 +265,30 @@ void HeadsetFrontEnd::recordPerson(LessonSession& session) {
     session.log().recordings().person(person);
 }
 
-void HeadsetFrontEnd::drawNotice(const LessonFigures& figures, const Messages& messages, double elapsed) {
-    notice_.text.compose(messages, figures, place_.zoom);
+/// Returns the sentence for the notice's quiet part: the task at work, or the answer to a trigger held over a result.
+std::string_view HeadsetFrontEnd::quietSentence(const LessonSession& session) const {
+    if (againHeld_ > 0) return phrase("headset.notice.again");
+    return page_ == Page::work && session.leader() == TorchLeader::hand ? std::string_view(session.lesson().text)
+                                                                        : std::string_view();
+}
+
+void HeadsetFrontEnd::drawNotice(const LessonSession& session, const LessonFigures& figures, const Messages& messages,
+                                 double elapsed) {
+    notice_.text.compose(messages, figures, place_.zoom, quietSentence(session));
     if (!drawn_ || notice_.text.text().empty()) return;
     guarded([&] {
         xr::Headset& headset = *connection_.headset();
         const std::array<xr::EyeView, 2>& eyes = headset.views();
         const xr::Pose head = workshop_.toWorkshop(xr::interpolate(eyes[0].pose, eyes[1].pose, 0.5f));
         const TrackedTorch& torch = hands_.torch();
-        notice_.place.update(!notice_.text.warnings().empty(), head,
+        notice_.place.update(!notice_.text.warnings().empty() || againHeld_ > 0, head,
                              torch.tracked() ? std::optional(torch.tip().position) : std::nullopt,
-                             parameters_.tableHeight, elapsed);
+                             parameters_.tableHeight, elapsed,
+                             panel_.open() ? std::optional(panel_.pose()) : std::nullopt);
         const bool fresh = notice_.draw(headset.notice(), connection_.openings(), elapsed);
         const xr::Pose pose = workshop_.toSession(notice_.place.pose());
-        headset.showNotice(pose, fresh);
-        mirror_.addFlat(headset.notice(), pose);
+        headset.showNotice(pose, notice_.place.width(), fresh);
+        mirror_.addFlat(headset.notice(), pose, notice_.place.width());
     });
 }
 
@@ -285,10 +299,12 @@ MenuRequest HeadsetFrontEnd::drawMenu(LessonSession& session, Home& home, const 
         xr::Headset& headset = *connection_.headset();
         const xr::Panel& panel = headset.panel();
         answer = menu_.draw(panel, panel_.pointer(), elapsed, session,
-                            {home, section_, warning(), hands_.tipReport(), hands_.tipMeasured(), figures, question_});
+                            {home, section_, warning(), hands_.tipReport(), hands_.tipMeasured(), figures,
+                             hands_.torchHand() == xr::Hand::left,
+                             page_ == Page::work && heats(session) && !panel_.pointingHand(), question_});
         const xr::Pose pose = workshop_.toSession(panel_.pose());
         headset.showPanel(pose);
-        mirror_.addFlat(panel, pose);
+        mirror_.addFlat(panel, pose, panel.shape().width);
     });
     if (answer.recentre) placing_.request();
     if (answer.measureTip) hands_.measureTip();

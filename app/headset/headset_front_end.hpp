@@ -57,13 +57,15 @@ class HeadsetFrontEnd final : public WindowHeadset {
     void followPage(const LessonSession& session, const Home& home);
     bool heats(const LessonSession& session) const;
     void movePanel(const LessonSession& session, double elapsed);
-    void askAgain(const LessonSession& session, const xr::Input& input);
+    void askAgain(const LessonSession& session, const xr::Input& input, double elapsed);
     void placeWorkshop(LessonSession& session, double elapsed);
     bool handsAct(const xr::Input& input);
     bool leadsTorch() const { return inFrame_ && changes_.lessonRuns() && hands_.torch().known(); }
     void drawEyes(LessonSession& session, double elapsed, gl::Profiler* profiler);
     void recordPerson(LessonSession& session);
-    void drawNotice(const LessonFigures& figures, const Messages& messages, double elapsed);
+    std::string_view quietSentence(const LessonSession& session) const;
+    void drawNotice(const LessonSession& session, const LessonFigures& figures, const Messages& messages,
+                    double elapsed);
     MenuRequest drawMenu(LessonSession& session, Home& home, const LessonFigures& figures, double elapsed);
     bool wantsMirror() const;
 
@@ -89,6 +91,7 @@ class HeadsetFrontEnd final : public WindowHeadset {
     size_t judgements_ = 0;       ///< judgements for which the panel has opened
     bool openedByResult_ = false; ///< a result opened the panel
     bool again_ = false;          ///< the person asks for another attempt in this frame
+    double againHeld_ = 0;        ///< s for which the person has asked for it
     bool otherPulled_ = false;    ///< the trigger of the hand without the torch is pulled
     bool arcBurned_ = false;      ///< the arc has burned in this attempt
     Page page_ = Page::none;      ///< page of the last frame

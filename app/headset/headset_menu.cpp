@@ -18,7 +18,31 @@ ShortText figuresText(const LessonFigures& figures) {
     return text;
 }
 
-constexpr int kResult = 3; ///< number of the result page
+/// Pages in the order of their tabs.
+enum Page { kMachine, kView, kHeadset, kResult };
+
+void plainText(const std::string& text) {
+    ImGui::TextWrapped("%s", text.c_str());
+}
+
+/// Returns the key of the sentence about the trigger of the torch's hand; null: before a lesson.
+const char* triggerKey(const Lesson* lesson) {
+    if (lesson == nullptr) return "headset.legend.trigger.press";
+    if (lesson->model != LessonModel::Weld) return "headset.legend.trigger.heat";
+    switch (traitsOf(lesson->process).torch) {
+    case TorchShape::wireTorch:
+        return "headset.legend.trigger.wire";
+    case TorchShape::tungstenTorch:
+        return "headset.legend.trigger.tungsten";
+    case TorchShape::electrodeHolder:
+        return "headset.legend.trigger.electrode";
+    case TorchShape::burner:
+        return "headset.legend.trigger.flame";
+    case TorchShape::iron:
+        break;
+    }
+    return "headset.legend.trigger.heat";
+}
 
 bool plainButton(ui::Context& context, std::string_view name, std::string_view key, float width) {
     return ui::button(context, name, phrase(key).c_str(), ui::ButtonKind::plain, width);
@@ -45,6 +69,8 @@ HeadsetMenuAnswer HeadsetMenu::draw(const xr::Panel& panel, const PointerOnPanel
         if (content.home.open) return homePart(context, session, content);
         lessonPart(context, session, content);
         pagePart(context, session, content);
+        if (content.dimmed)
+            ImGui::GetForegroundDrawList()->AddRectFilled({0, 0}, ImGui::GetIO().DisplaySize, IM_COL32(0, 0, 0, 120));
     });
     return answer_;
 }
@@ -57,15 +83,35 @@ void HeadsetMenu::homePart(ui::Context& context, LessonSession& session, const H
     if (const MenuRequest asked = ui::homePart(context, content.home, session.activities()); asked != MenuRequest::none)
         answer_.request = asked;
     answer_.recentre = plainButton(context, "headset.recentre", "headset.button.recentre", 140);
+    // Open until the first lesson; later by a press.
+    if (ui::namedHeading(context, "headset", lessonSeen_ ? "buttons" : "first_buttons",
+                         phrase("headset.legend.heading"), !lessonSeen_))
+        legend(context, nullptr, content);
     if (group(context, "headset", "Headset")) headsetPage(context, content);
 }
 
+/// Draws the meaning of each hand's buttons; those of the torch's trigger in the words of `lesson`'s process, if there
+/// is one.
+void HeadsetMenu::legend(ui::Context& context, const Lesson* lesson, const HeadsetMenuContent& content) {
+    ui::strongText(context, phrase(content.leftHanded ? "headset.legend.torch_left" : "headset.legend.torch_right"));
+    plainText(phrase(triggerKey(lesson)));
+    ui::strongText(context, phrase(content.leftHanded ? "headset.legend.other_right" : "headset.legend.other_left"));
+    plainText(phrase(lesson != nullptr && lesson->model == LessonModel::Weld && holdsRod(lesson->process)
+                         ? "headset.legend.rod"
+                         : "headset.legend.other"));
+    plainText(phrase("headset.legend.again"));
+    plainText(phrase("headset.legend.menu"));
+    plainText(phrase("headset.legend.stick"));
+}
+
 void HeadsetMenu::lessonPart(ui::Context& context, LessonSession& session, const HeadsetMenuContent& content) {
+    lessonSeen_ = true;
     ui::strongText(context, session.lesson().title);
-    if (session.running())
-        ui::quietText(context, figuresText(content.figures));
+    if (session.attempt().judged())
+        ui::resultHead(context, session, content.home);
     else
-        ui::quietText(context, session.lesson().text);
+        plainText(session.lesson().text);
+    if (session.running()) ui::quietText(context, figuresText(content.figures));
     if (!content.warning.empty()) ui::quietText(context, content.warning);
     ImGui::Dummy({0, context.points(4)});
     if (session.question().asked()) return ui::questionPart(context, session.question());
@@ -77,10 +123,10 @@ void HeadsetMenu::lessonPart(ui::Context& context, LessonSession& session, const
     if (activities.at(activities.replay))
         if (const MenuRequest asked = ui::replayPart(context, session); asked != MenuRequest::none)
             answer_.request = asked;
-    lessonButtons(context, session);
+    lessonButtons(context, session, content);
 }
 
-void HeadsetMenu::lessonButtons(ui::Context& context, const LessonSession& session) {
+void HeadsetMenu::lessonButtons(ui::Context& context, const LessonSession& session, const HeadsetMenuContent& content) {
     const auto asks = [&](const char* name, const char* key, MenuRequest request, ui::ButtonKind kind, float width) {
         if (ui::button(context, name, phrase(key).c_str(), kind, width)) answer_.request = request;
         ImGui::SameLine();
@@ -91,7 +137,8 @@ void HeadsetMenu::lessonButtons(ui::Context& context, const LessonSession& sessi
             asks("headset.demonstration", "headset.button.demonstration", MenuRequest::demonstrate,
                  ui::ButtonKind::plain, 0);
     } else {
-        asks("headset.reset", "headset.button.reset", MenuRequest::reset, ui::ButtonKind::plain, 96);
+        if (!session.attempt().judged()) // the result has its own
+            asks("headset.reset", "headset.button.reset", MenuRequest::reset, ui::ButtonKind::plain, 96);
         asks("headset.restart", "headset.button.restart", MenuRequest::restart, ui::ButtonKind::plain, 96);
         if (session.activities().allowed().ownTorch && !session.picture().cut().shown())
             asks("headset.pause", session.paused() ? "headset.button.go_on" : "headset.button.pause",
@@ -100,6 +147,8 @@ void HeadsetMenu::lessonButtons(ui::Context& context, const LessonSession& sessi
     ImGui::NewLine();
     asks("headset.home", "headset.button.home", MenuRequest::home, ui::ButtonKind::plain, 70);
     answer_.recentre = plainButton(context, "headset.recentre", "headset.button.recentre", 130);
+    if (ui::namedHeading(context, "headset", "lesson_buttons", phrase("headset.legend.heading"), false))
+        legend(context, &session.lesson(), content);
 }
 
 void HeadsetMenu::headsetPage(ui::Context& context, const HeadsetMenuContent& content) {
@@ -113,22 +162,24 @@ void HeadsetMenu::headsetPage(ui::Context& context, const HeadsetMenuContent& co
 
 void HeadsetMenu::pagePart(ui::Context& context, LessonSession& session, const HeadsetMenuContent& content) {
     ImGui::Dummy({0, context.points(4)});
-    static constexpr std::array<std::string_view, 4> kPages{"headset", "machine", "view", "result"};
+    static constexpr std::array<std::string_view, 4> kPages{"machine", "view", "headset", "result"};
     const bool judges = session.judges();
-    if (session.attempt().judgements() != judgements_ || (page_ == kResult && !judges)) page_ = judges ? kResult : 0;
+    if (session.attempt().judgements() != judgements_ || (page_ == kResult && !judges))
+        page_ = judges ? kResult : kMachine;
     judgements_ = session.attempt().judgements();
     ui::choiceRow(context, "headset.page", std::span(kPages).first(judges ? 4 : 3), page_);
-    if (page_ == 0) headsetPage(context, content);
+    if (page_ == kHeadset) headsetPage(context, content);
     if (page_ == kResult)
-        if (const MenuRequest asked = ui::resultPart(context, session, content.home); asked != MenuRequest::none)
+        if (const MenuRequest asked = ui::resultPart(context, session, content.home, ui::ResultPlace::panel);
+            asked != MenuRequest::none)
             answer_.request = asked;
-    if (page_ == 1) {
+    if (page_ == kMachine) {
         if (session.running())
             ui::machinePart(context, session.sections().simulation);
         else
             ui::setupPart(context, session);
     }
-    if (page_ == 2) {
+    if (page_ == kView) {
         if (session.lesson().model == LessonModel::Weld && group(context, "cues", "Cues at the torch"))
             drawParameters(context, session.help().cues);
         if (session.help().ghost.idle.empty() && group(context, "ghost", "Ghost torch"))

@@ -21,6 +21,8 @@ struct HeadsetMenuContent {
     std::string tipReport;           ///< report of the torch's measuring; empty: none
     bool tipMeasured = false;        ///< a measured tip is in use
     const LessonFigures& figures;
+    bool leftHanded;    ///< the left hand holds the torch
+    bool dimmed;        ///< the person works beside the panel
     Question* question; ///< question before an action ends the teacher's weld; null: none
 };
 
@@ -45,13 +47,15 @@ class HeadsetMenu {
   private:
     void homePart(ui::Context& context, LessonSession& session, const HeadsetMenuContent& content);
     void lessonPart(ui::Context& context, LessonSession& session, const HeadsetMenuContent& content);
-    void lessonButtons(ui::Context& context, const LessonSession& session);
+    void lessonButtons(ui::Context& context, const LessonSession& session, const HeadsetMenuContent& content);
+    void legend(ui::Context& context, const Lesson* lesson, const HeadsetMenuContent& content);
     void headsetPage(ui::Context& context, const HeadsetMenuContent& content);
     void pagePart(ui::Context& context, LessonSession& session, const HeadsetMenuContent& content);
 
     std::unique_ptr<HeadsetPanel> panel_; ///< made at the first draw
     HeadsetMenuAnswer answer_;
     int page_ = 0;
+    bool lessonSeen_ = false; ///< a lesson's page has been drawn
     size_t judgements_ = 0; ///< number of judgements shown
 };
 

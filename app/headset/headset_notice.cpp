@@ -16,12 +16,33 @@ namespace {
 constexpr size_t kMostWarnings = 3;
 constexpr size_t kLongestLine = 240; // bytes; the window shows longer messages whole
 constexpr float kLooksThere = 0.85f; // cosine: within 32 degrees of the head's direction
+constexpr float kNearest = 0.1f;     // m, least distance for which the size is right
+constexpr float kPanelHalf = 0.37f;  // m from the panel's middle to its lower edge
 constexpr float kAhead = 0.6f;       // m before the eyes, if the torch is out of sight
 constexpr float kAboveBoard = 0.02f; // share of the eyes' distance: from the cues' board to the notice's lower edge
 constexpr double kFollowing = 0.15;  // s
 
-float heightOf(const xr::PanelShape& shape) {
-    return shape.width * static_cast<float>(shape.heightPixels) / static_cast<float>(shape.widthPixels);
+float widthAt(float distance) {
+    return 2 * std::max(distance, kNearest) * std::tan(NoticePlace::kAngle / 2);
+}
+
+float heightOf(float width) {
+    constexpr xr::PanelShape kShape = HeadsetNotice::kShape;
+    return width * static_cast<float>(kShape.heightPixels) / static_cast<float>(kShape.widthPixels);
+}
+
+bool looksAt(const xr::Pose& head, const glm::vec3& place) {
+    return glm::dot(glm::normalize(place - head.position), head.forward()) > kLooksThere;
+}
+
+/// Returns the text's beginning that ends with a sentence and fits into a line of the notice; else cut after a word.
+std::string_view wholeSentences(std::string_view text) {
+    if (text.size() <= kLongestLine) return text;
+    const std::string_view head = text.substr(0, kLongestLine);
+    for (const std::string_view end : {". ", " "})
+        if (const size_t at = head.rfind(end); at != std::string_view::npos)
+            return head.substr(0, at + (end.size() > 1 ? 1 : 0));
+    return {};
 }
 
 } // namespace
@@ -34,7 +55,7 @@ void NoticeText::addLine(std::string_view line) {
     text_[length_++] = '\n';
 }
 
-void NoticeText::compose(const Messages& messages, const LessonFigures& figures, float zoom) {
+void NoticeText::compose(const Messages& messages, const LessonFigures& figures, float zoom, std::string_view task) {
     length_ = 0;
     // Slow metal has a line of its own, which no other warning displaces.
     const auto warns = [](const Message& m) {
@@ -45,6 +66,7 @@ void NoticeText::compose(const Messages& messages, const LessonFigures& figures,
         if (warns(message) && left-- <= kMostWarnings) addLine(message.text);
     if (!figures.slow.empty()) addLine(figures.slow);
     quietFrom_ = length_;
+    if (quietFrom_ == 0 && !task.empty()) addLine(wholeSentences(task));
     if (!figures.caption.empty()) addLine(figures.caption);
     if (zoom == 1) return;
     std::array<char, 16> times{};
@@ -55,24 +77,34 @@ void NoticeText::compose(const Messages& messages, const LessonFigures& figures,
 }
 
 void NoticePlace::update(bool warns, const xr::Pose& head, const std::optional<glm::vec3>& tip, float tableHeight,
-                         double elapsed) {
+                         double elapsed, const std::optional<xr::Pose>& panel) {
     if (!warns) {
         pose_ = {glm::angleAxis(-1.0f, glm::vec3(1, 0, 0)), {0, tableHeight + 0.06f, 0.22f}};
+        width_ = widthAt(glm::distance(head.position, pose_.position));
         known_ = false;
         return;
     }
-    const bool seen = tip && glm::dot(glm::normalize(*tip - head.position), head.forward()) > kLooksThere;
+    if (panel && looksAt(head, panel->position)) {
+        width_ = widthAt(glm::distance(head.position, panel->position));
+        position_ = *panel * glm::vec3(0, -kPanelHalf - heightOf(width_) / 2, 0);
+        pose_ = {panel->orientation, position_};
+        known_ = true;
+        return;
+    }
+    const bool seen = tip && looksAt(head, *tip);
     const glm::vec3 target = seen ? *tip : head.position + head.forward() * kAhead;
     const glm::vec3 back = glm::normalize(head.position - target);
     const glm::vec3 right = glm::normalize(glm::cross(head.orientation * glm::vec3(0, 1, 0), back));
     const glm::vec3 up = glm::cross(back, right);
-    const float aboveTip = (kCueBoardHeight + kAboveBoard) * glm::distance(head.position, target);
-    const float raise = seen ? aboveTip + heightOf(HeadsetNotice::kShape) / 2 : -0.1f;
+    const float distance = glm::distance(head.position, target);
+    const float aboveTip = (kCueBoardHeight + kAboveBoard) * distance;
+    const float raise = seen ? aboveTip + heightOf(widthAt(distance)) / 2 : -0.1f;
     const glm::vec3 there = target + up * raise;
     const auto share = static_cast<float>(known_ ? 1 - std::exp(-elapsed / kFollowing) : 1.0);
     position_ += (there - position_) * share;
     known_ = true;
     pose_ = {glm::quat_cast(glm::mat3(right, up, back)), position_};
+    width_ = widthAt(distance);
 }
 
 bool HeadsetNotice::draw(const xr::Panel& picture, int opening, double elapsed) {
@@ -80,7 +112,8 @@ bool HeadsetNotice::draw(const xr::Panel& picture, int opening, double elapsed) 
     drawn_ = text;
     opening_ = opening;
     if (panel_ == nullptr)
-        panel_ = std::make_unique<HeadsetPanel>(kShape.widthPixels, kShape.heightPixels, HeadsetPanel::Ground::clear);
+        panel_ = std::make_unique<HeadsetPanel>(kShape.widthPixels, kShape.heightPixels, HeadsetPanel::Ground::clear,
+                                                kTextScale);
     panel_->draw(picture.framebuffer(), {}, elapsed, [&](ui::Context& context) { drawText(context); });
     return true;
 }
@@ -105,7 +138,7 @@ void HeadsetNotice::drawText(ui::Context& context) const {
     ui::fillRounded(*draw, corner, end, IM_COL32(22, 25, 31, warnings.empty() ? 150 : 225), context.points(6));
     if (!warnings.empty()) ui::fillRounded(*draw, corner, {corner.x + pad / 2, end.y}, ui::colour::kWarning, 0);
     add(warnings, top + pad, ui::colour::kText);
-    add(quiet, top + pad + first, ui::colour::kQuiet);
+    add(quiet, top + pad + first, warnings.empty() ? ui::colour::kText : ui::colour::kQuiet);
 }
 
 } // namespace meltpool

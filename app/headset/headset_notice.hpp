@@ -16,9 +16,9 @@ namespace meltpool {
 /// Builds the notice's text in each frame without allocating.
 class NoticeText {
   public:
-    /// Lines up the newest warnings and what the desk did, the warning of slow metal, the caption of sounds, and the
-    /// zoom unless it is 1.
-    void compose(const Messages& messages, const LessonFigures& figures, float zoom);
+    /// Lines up the newest warnings and what the desk did, the warning of slow metal, the task (as many whole sentences
+    /// as fit, only without a warning), the caption of sounds, and the zoom unless it is 1.
+    void compose(const Messages& messages, const LessonFigures& figures, float zoom, std::string_view task = {});
 
     /// Whole text, one message a line.
     std::string_view text() const { return {text_.data(), length_}; }
@@ -35,23 +35,32 @@ class NoticeText {
 };
 
 /// Places the notice in the workshop: above the torch's tip if the person looks there, else before their eyes; without
-/// a warning on the table. It follows with a delay, so that a trembling hand does not blur it.
+/// a warning on the table. It follows with a delay, so that a trembling hand does not blur it. Its width is an angle,
+/// so that it covers no more of the view when the head comes near.
 class NoticePlace {
   public:
+    static constexpr float kAngle = 0.52f; ///< rad, its width in the view
+
+    /// `panel`: the open panel, below which the notice hangs while the person looks there; empty: closed.
     void update(bool warns, const xr::Pose& head, const std::optional<glm::vec3>& tip, float tableHeight,
-                double elapsed);
+                double elapsed, const std::optional<xr::Pose>& panel = {});
     const xr::Pose& pose() const { return pose_; }
+    /// Width of the picture at that pose, m.
+    float width() const { return width_; }
 
   private:
     xr::Pose pose_;
+    float width_ = 0;
     glm::vec3 position_{0.0f};
     bool known_ = false;
 };
 
 class HeadsetNotice {
   public:
-    /// Shape of the picture; a text of three sentences fits.
-    static constexpr xr::PanelShape kShape{900, 400, 0.36f};
+    /// Shape of the picture; a text of three sentences fits. Its width in the view is NoticePlace's.
+    static constexpr xr::PanelShape kShape{900, 560, 0.36f};
+    /// Scale of the text: capital letters are a degree high at NoticePlace::kAngle.
+    static constexpr float kTextScale = 2.45f;
 
     NoticeText text;
     NoticePlace place;

@@ -22,20 +22,19 @@ class Current {
     ImGuiContext* before_;
 };
 
-constexpr float kScale = 2.2f; // scale of text that is readable at arm's length
-
 } // namespace
 
-HeadsetPanel::HeadsetPanel(int width, int height, Ground ground)
+HeadsetPanel::HeadsetPanel(int width, int height, Ground ground, float scale)
     : width_(width), height_(height), ground_(ground), imgui_(ImGui::CreateContext()) {
     const Current current(imgui_);
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
     io.LogFilename = nullptr;
     io.DisplaySize = {float(width), float(height)};
-    context_.scale = kScale;
-    context_.fonts = ui::loadFonts(kScale, 1.0f);
-    ui::applyTheme(kScale);
+    context_.scale = scale;
+    context_.tooltipsAtEdge = true;
+    context_.fonts = ui::loadFonts(scale, 1.0f);
+    ui::applyTheme(scale);
     ImGui_ImplOpenGL3_Init("#version 450 core");
 }
 

@@ -24,7 +24,10 @@ class HeadsetPanel {
     /// Background behind the content.
     enum class Ground { dark, clear };
 
-    HeadsetPanel(int width, int height, Ground ground = Ground::dark);
+    /// Scale of text that is readable at arm's length.
+    static constexpr float kScale = 2.2f;
+
+    HeadsetPanel(int width, int height, Ground ground = Ground::dark, float scale = kScale);
     ~HeadsetPanel();
     HeadsetPanel(const HeadsetPanel&) = delete;
     HeadsetPanel& operator=(const HeadsetPanel&) = delete;

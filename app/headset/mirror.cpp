@@ -13,8 +13,8 @@ constexpr float kNear = 0.02f, kFar = 20;
 
 } // namespace
 
-void Mirror::addFlat(const xr::Panel& picture, const xr::Pose& pose) {
-    if (count_ < flat_.size()) flat_[count_++] = {&picture, pose};
+void Mirror::addFlat(const xr::Panel& picture, const xr::Pose& pose, float width) {
+    if (count_ < flat_.size()) flat_[count_++] = {&picture, pose, width};
 }
 
 void Mirror::draw(const xr::Headset& headset, glm::ivec2 pixels, gl::ShaderLibrary& shaders) {
@@ -46,8 +46,8 @@ void Mirror::drawFlat(const xr::Headset& headset) const {
     empty_.bind();
     for (size_t i = count_; i-- > 0;) {
         const xr::PanelShape& shape = flat_[i].picture->shape();
-        const float height = shape.width * float(shape.heightPixels) / float(shape.widthPixels);
-        program_->set("toClip", toClip * glm::scale(flat_[i].pose.matrix(), {shape.width, height, 1.0f}));
+        const float height = flat_[i].width * float(shape.heightPixels) / float(shape.widthPixels);
+        program_->set("toClip", toClip * glm::scale(flat_[i].pose.matrix(), {flat_[i].width, height, 1.0f}));
         glBindTextureUnit(0, flat_[i].picture->texture());
         glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     }

@@ -13,8 +13,8 @@ class Mirror {
     /// Begins a frame without flat pictures.
     void forgetFlat() { count_ = 0; }
     /// Adds a flat picture that this frame shows at `pose` of the session's space, behind the one before: the runtime
-    /// lays the notice over the panel. `picture` must live until draw().
-    void addFlat(const xr::Panel& picture, const xr::Pose& pose);
+    /// lays the notice over the panel. `width`: m. `picture` must live until draw().
+    void addFlat(const xr::Panel& picture, const xr::Pose& pose, float width);
     /// Fills the window's frame buffer with the middle of the left eye's view, in the window's shape. Throws InputError
     /// if the shaders cannot be used.
     void draw(const xr::Headset& headset, glm::ivec2 pixels, gl::ShaderLibrary& shaders);
@@ -23,6 +23,7 @@ class Mirror {
     struct Flat {
         const xr::Panel* picture = nullptr;
         xr::Pose pose;
+        float width = 0; ///< m
     };
 
     void drawFlat(const xr::Headset& headset) const;

@@ -10,6 +10,7 @@ namespace {
 constexpr double kMoving = 0.3;     // s from one place to the other
 constexpr float kUnderEyes = 0.12f; // m, the panel's middle in front
 constexpr float kOverTable = 0.40f; // m, least height of the panel's middle
+constexpr float kOtherHeight = 0.15f; // m, by which other eyes are higher or lower
 constexpr float kAsideX = 0.42f;    // m
 
 } // namespace
@@ -34,10 +35,14 @@ void PanelPointer::update(const xr::Input& input, const Workshop& workshop, cons
 void PanelPointer::move(bool aside, const std::optional<glm::vec3>& eyes, xr::Hand torchHand, double elapsed) {
     const float table = parameters_.tableHeight;
     if (!heightKnown_) height_ = table + kOverTable;
-    if (eyes && (!heightKnown_ || !open_ || aside_ >= 1)) {
-        height_ = std::max(eyes->y - kUnderEyes, table + kOverTable);
-        tilt_ = std::atan2(eyes->y - height_, Workshop::kReach + kBehind);
-        heightKnown_ = true;
+    if (eyes && !pointer_.pressed) {
+        const float wanted = std::max(eyes->y - kUnderEyes, table + kOverTable);
+        // A nod or a lean over the work leaves it in its place.
+        if (!heightKnown_ || !open_ || aside_ >= 1 || std::abs(wanted - height_) > kOtherHeight) {
+            height_ = wanted;
+            tilt_ = std::atan2(eyes->y - height_, Workshop::kReach + kBehind);
+            heightKnown_ = true;
+        }
     }
     const auto steps = static_cast<float>(elapsed / kMoving);
     const auto approach = [&](float& value, float target, float step) {

@@ -17,10 +17,12 @@ class StereoView {
     explicit StereoView(const HeadsetParameters& parameters) : parameters_(parameters) {}
 
     /// Darkens the visor of the classic lesson with the heat of the torch, the hand's or that of a demonstration or
-    /// replay; the visor of a weld sees the arc when it is drawn. `elapsed`: real seconds since the last frame.
-    void update(const LessonSession& session, const TrackedTorch& torch, double elapsed) {
+    /// replay; the visor of a weld sees the arc when it is drawn. It is up while the person `reads` a page. `elapsed`:
+    /// real seconds since the last frame.
+    void update(const LessonSession& session, const TrackedTorch& torch, bool reads, double elapsed) {
         const float trigger = session.leader() == TorchLeader::path ? session.run().torch().trigger : torch.trigger();
         visor_.update(trigger > 0, elapsed);
+        visor_.read(reads, elapsed);
         sinceSeen_ += elapsed;
     }
     /// See WornVisor::sentence().

@@ -13,6 +13,7 @@ namespace meltpool {
 class Visor {
   public:
     static constexpr double kHold = VisorFilter::kHold, kClearing = VisorFilter::kClearing;
+    static constexpr double kLifting = 0.3; ///< s
 
     /// Takes the heat of a source that gives no light of its own, in the classic lesson. `elapsed`: real seconds since
     /// the last frame.
@@ -20,6 +21,12 @@ class Visor {
     /// Takes the arc of a weld. `look`: the lesson's.
     void update(const HeadsetParameters& parameters, const SeenArc& arc, const LookParameters& look, double elapsed) {
         worn_.update(arc, settingsOf(parameters), look, elapsed);
+    }
+
+    /// Lifts the visor while the person `reads` and no arc burns, and lowers it again. `elapsed`: as above.
+    void read(bool reads, double elapsed) {
+        const auto step = static_cast<float>(elapsed / kLifting);
+        lifted_ += std::clamp((reads ? 1.0f : 0.0f) - lifted_, -step, step);
     }
 
     /// Sets the visor in `look`. With temperatures in kelvin the metal radiates physically and the visor is a filter of
@@ -42,13 +49,14 @@ class Visor {
     }
 
   private:
-    static VisorSettings settingsOf(const HeadsetParameters& parameters) {
+    VisorSettings settingsOf(const HeadsetParameters& parameters) const {
         // A light shade of 0 is a clear pane, which is no filter; the lowest filter passes almost all light.
-        return {parameters.visor ? parameters.visorShade : 0, std::max(parameters.visorLightShade, 1.0f),
-                parameters.visorSwitching};
+        const float light = std::max(parameters.visorLightShade, 1.0f);
+        return {parameters.visor ? parameters.visorShade : 0, light + (1 - light) * lifted_, parameters.visorSwitching};
     }
 
     VisorFilter heat_;
+    float lifted_ = 0; ///< 0 down .. 1 up
     WornVisor worn_;
 };
 

@@ -90,6 +90,7 @@ void WorkshopScene::addProcessTorch(const HeadsetParameters& parameters, const H
     TorchSurroundings around;
     around.hand = hands.holder.tracked();
     around.cableEnd = kCableEnd + glm::vec3(0, parameters.tableHeight, -Workshop::kTableBack);
+    if (hands.holder.right) around.cableEnd.x *= -1; // a cable that crosses the table would cross the sight, too
     buildTorchFittings(fittings_, sample, *hands.process, around, glm::mat4(1.0f));
 }
 

@@ -23,6 +23,13 @@ TorchSample torchOf(const SteeredSource& source, const glm::mat3& turn) {
     return sample;
 }
 
+/// Returns true if the trigger only switches: the wire of a machine that feeds it, or the current of an electrode that
+/// strikes by touch.
+bool triggerIsSwitch(const ProcessSettings& settings) {
+    const ProcessTraits& traits = traitsOf(settings);
+    return traits.feedsWire || traits.striking == Striking::touch;
+}
+
 } // namespace
 
 TorchLeader TorchLead::leader(const Allowed& allowed) const {
@@ -42,6 +49,14 @@ TorchSample TorchLead::next(const Trainer& trainer, const Controls& controls, co
         out.trigger = 0;
         return out;
     }
+    TorchSample sample = personal(trainer, controls, held, turn, step, steps);
+    if (trainer.lesson().model == LessonModel::Weld && triggerIsSwitch(trainer.lesson().process))
+        sample.trigger = switch_.pass(sample.trigger);
+    return sample;
+}
+
+TorchSample TorchLead::personal(const Trainer& trainer, const Controls& controls, const TorchSource& held,
+                                const glm::mat3& turn, int step, int steps) {
     if (held_) return held(step, steps);
     if (!desk_.leads()) return torchOf(controls.source(), turn);
     return desk_.next(step, steps, trainer.timeStep(), trainer.metal().model().burntOff(), controls.trigger());

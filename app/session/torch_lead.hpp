@@ -19,7 +19,10 @@ enum class TorchLeader {
 class TorchLead {
   public:
     /// Begins an attempt: places the desk's torch at the lesson's start.
-    void begin(const Lesson& lesson) { desk_.begin(lesson); }
+    void begin(const Lesson& lesson) {
+        desk_.begin(lesson);
+        switch_ = {};
+    }
     /// `held`: a hand leads the person's torch from now on, otherwise the desk.
     void take(bool held) { held_ = held; }
     TorchLeader leader(const Allowed& allowed) const;
@@ -36,7 +39,11 @@ class TorchLead {
     const DeskTorch& desk() const { return desk_; }
 
   private:
+    TorchSample personal(const Trainer& trainer, const Controls& controls, const TorchSource& held,
+                         const glm::mat3& turn, int step, int steps);
+
     DeskTorch desk_;
+    TriggerSwitch switch_;
     bool held_ = false;
     bool heldBefore_ = false; ///< leader at the last step
 };

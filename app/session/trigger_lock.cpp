@@ -31,7 +31,7 @@ std::string_view arcOutSentence(ArcOut reason) {
 }
 
 void TriggerLock::lock(ArcOut reason) {
-    if (!locked_) reason_ = reason;
+    if (!locked_ || reason == ArcOut::lessonBegan) reason_ = reason;
     locked_ = true;
 }
 

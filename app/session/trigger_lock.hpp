@@ -29,12 +29,27 @@ std::string_view arcOutName(ArcOut reason);
 /// Sentence for the person.
 std::string_view arcOutSentence(ArcOut reason);
 
+/// Makes a switch of a trigger: on above kOn, off again below kOff.
+class TriggerSwitch {
+  public:
+    static constexpr float kOn = 0.3f, kOff = 0.2f; ///< travel, 0..1
+
+    /// Returns 1 while on, else 0.
+    float pass(float travel) {
+        on_ = travel > (on_ ? kOff : kOn);
+        return on_ ? 1.0f : 0.0f;
+    }
+
+  private:
+    bool on_ = false;
+};
+
 class TriggerLock {
   public:
     /// Travel of the trigger, 0..1, up to which it counts as released.
     static constexpr float kLetGo = 0.05f;
 
-    /// Puts the heat out. The first reason stays until the trigger is released.
+    /// Puts the heat out. The first reason stays until the trigger is released, or a lesson begins.
     void lock(ArcOut reason);
     /// Returns the travel that counts in this frame. `seen`: it is measured now; an unmeasured trigger counts as
     /// neither pulled nor released.

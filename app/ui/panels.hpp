@@ -65,8 +65,12 @@ void comparisonPart(Context& context, Activities& activities);
 float resultReach(const Context& context);
 /// Draws the judged attempt at the left: score, corrections, verdict, measured weld.
 MenuRequest resultPanel(Context& context, LessonSession& session, const Home& home);
-/// Draws the judged attempt inside the current window, for the headset's panel.
-MenuRequest resultPart(Context& context, LessonSession& session, const Home& home);
+/// Draws score and verdict of the judged attempt inside the current window.
+void resultHead(Context& context, const LessonSession& session, const Home& home);
+/// Surroundings of the result: the panel draws resultHead() and the way home itself.
+enum class ResultPlace { window, panel };
+/// Draws the buttons of the judged attempt and all of its values inside the current window.
+MenuRequest resultPart(Context& context, LessonSession& session, const Home& home, ResultPlace place);
 /// Draws the button that cuts the weld open, inside the current window, and, while it is open, the place of the cut.
 MenuRequest cutPart(Context& context, LessonSession& session);
 /// Draws the hand of the judged attempt along the seam, with the lesson's bands (null: none), inside the current

@@ -94,21 +94,9 @@ MenuRequest drawCorrections(Context& context, LessonSession& session) {
     return request;
 }
 
-MenuRequest drawJudgement(Context& context, LessonSession& session, const TechniqueBands* bands,
-                          const std::string& best) {
+MenuRequest drawJudgement(Context& context, LessonSession& session, const TechniqueBands* bands) {
     const JudgedAttempt& attempt = *session.attempt().judged();
     const JudgementRows& rows = attempt.rows;
-    ImGui::PushFont(context.fonts.title);
-    ImGui::TextUnformatted(rows.score.c_str());
-    ImGui::PopFont();
-    markItem(context, "result.score");
-    if (!best.empty()) quietText(context, best);
-    if (session.log().redo().redone() > 0) quietText(context, phrase("result.note.practice"));
-    quietText(context, rows.scoreNote);
-    ImGui::PushFont(context.fonts.strong);
-    wrapped(rows.verdict, tintOf(rows.verdictState));
-    ImGui::PopFont();
-    if (!rows.verdictNote.empty()) quietText(context, rows.verdictNote);
     const MenuRequest request = drawCorrections(context, session);
     for (const JudgementSection* section : {&rows.technique, &rows.judged, &rows.measured})
         if (!section->rows.empty() || section->note != rows.scoreNote) drawSection(context, *section);
@@ -138,8 +126,26 @@ float resultReach(const Context& context) {
     return context.points(kResultWidth + 10);
 }
 
-MenuRequest resultPart(Context& context, LessonSession& session, const Home& home) {
+void resultHead(Context& context, const LessonSession& session, const Home& home) {
+    const JudgementRows& rows = session.attempt().judged()->rows;
+    const std::string best = bestText(session, home);
+    ImGui::PushFont(context.fonts.title);
+    ImGui::TextUnformatted(rows.score.c_str());
+    ImGui::PopFont();
+    markItem(context, "result.score");
+    if (!best.empty()) quietText(context, best);
+    if (session.log().redo().redone() > 0) quietText(context, phrase("result.note.practice"));
+    quietText(context, rows.scoreNote);
+    ImGui::PushFont(context.fonts.strong);
+    wrapped(rows.verdict, tintOf(rows.verdictState));
+    ImGui::PopFont();
+    if (!rows.verdictNote.empty()) quietText(context, rows.verdictNote);
+}
+
+MenuRequest resultPart(Context& context, LessonSession& session, const Home& home, ResultPlace place) {
     MenuRequest request = MenuRequest::none;
+    const bool window = place == ResultPlace::window;
+    if (window && session.attempt().judged()) resultHead(context, session, home);
     ButtonRow row(context, 10);
     const bool judged = session.attempt().judged().has_value();
     if (row.add("result.judge", phrase(judged ? "result.button.judge_again" : "result.button.judge").c_str(),
@@ -150,7 +156,7 @@ MenuRequest resultPart(Context& context, LessonSession& session, const Home& hom
         request = MenuRequest::reset;
     ShortText homeNote;
     appendPhrase(homeNote, "result.tooltip.home", {{"key", context.key(Key::h)}});
-    if (row.add("result.home", phrase("result.button.home").c_str(), ButtonKind::plain, 80, homeNote.c_str()))
+    if (window && row.add("result.home", phrase("result.button.home").c_str(), ButtonKind::plain, 80, homeNote.c_str()))
         request = MenuRequest::home;
     const CataloguedLesson* next = home.find(session.lesson().next);
     if (next != nullptr && judged) {
@@ -169,7 +175,7 @@ MenuRequest resultPart(Context& context, LessonSession& session, const Home& hom
                                    phrase("result.tooltip.redo").c_str()))
         request = MenuRequest::redo;
     if (judged) {
-        const MenuRequest asked = drawJudgement(context, session, bandsOf(session.lesson()), bestText(session, home));
+        const MenuRequest asked = drawJudgement(context, session, bandsOf(session.lesson()));
         if (asked != MenuRequest::none) request = asked;
     } else if (session.run().arc().burns()) {
         quietText(context, phrase("result.note.arc_burns"));
@@ -189,7 +195,7 @@ MenuRequest resultPanel(Context& context, LessonSession& session, const Home& ho
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
     strongText(context, phrase("result.heading"));
-    const MenuRequest request = resultPart(context, session, home);
+    const MenuRequest request = resultPart(context, session, home, ResultPlace::window);
     ImGui::End();
     return request;
 }

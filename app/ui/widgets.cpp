@@ -40,6 +40,11 @@ void outlineRounded(ImDrawList& draw, ImVec2 low, ImVec2 high, ImU32 tint, float
 
 void tooltip(Context& context, std::string_view text) {
     if (text.empty() || !ImGui::IsItemHovered()) return;
+    if (context.tooltipsAtEdge) {
+        const ImVec2 screen = ImGui::GetIO().DisplaySize;
+        const bool low = ImGui::GetItemRectMax().y > 0.6f * screen.y;
+        ImGui::SetNextWindowPos({screen.x / 2, low ? 0 : screen.y}, ImGuiCond_Always, {0.5f, low ? 0.0f : 1.0f});
+    }
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(std::min(context.points(320), ImGui::GetIO().DisplaySize.x - context.points(40)));
     ImGui::TextUnformatted(text.data(), text.data() + text.size());

@@ -25,6 +25,7 @@ struct Context {
     /// noting a place allocates nothing.
     std::map<std::string, Place, std::less<>> places;
     unsigned frame = 0;
+    bool tooltipsAtEdge = false;               ///< tooltips lie at the upper or lower edge, far from the pointer
     const KeyNames* keys = &KeyNames::usual(); ///< names of the current keyboard's keys
 
     void beginFrame() { ++frame; }

@@ -1,12 +1,12 @@
 // A person at the joint with the torch in the hand: hand, arm and torch leave the pool in both eyes' sight.
-#include "app/headset/tracked_torch.hpp"
+#include "app/headset/workshop_scene.hpp"
 #include "core/render/solid_meshes.hpp"
-#include "core/scene/torch_fittings.hpp"
 #include "core/scene/torch_geometry.hpp"
 #include "tests/support/catch.hpp"
 
 #include <glm/geometric.hpp>
 
+#include <span>
 #include <string>
 
 using namespace meltpool;
@@ -64,9 +64,10 @@ struct Person {
         return hand;
     }
     /// Returns the numbers of the solids that are before the pool's edge in an eye's sight.
-    std::string covered(const std::vector<Solid>& solids) const {
+    std::string covered(std::span<const Solid> solids) const {
         std::string covering;
-        const glm::vec3 pool = joint + glm::vec3(0, 0, 0.004f);
+        // Ahead of the torch, which leans to the hand.
+        const glm::vec3 pool = joint + glm::vec3(right ? -0.005f : 0.005f, 0, 0.004f);
         for (const float eye : {-0.0315f, 0.0315f})
             for (size_t i = 0; i < solids.size(); ++i)
                 if (blocks(solids[i], head() * glm::vec3(eye, 0, 0), pool))
@@ -84,6 +85,9 @@ TEST_CASE("torch, hand and arm leave the pool in sight, for three heads and both
         float lean, aside, turn; ///< rad
         float beside;            ///< m: over a tee's lean the person looks past the torch
     };
+    HeadsetParameters parameters;
+    parameters.tableHeight = kTable;
+    WorkshopScene scene;
     for (int kind = 0; kind < int(AllProcesses::kCount); ++kind)
         for (const Work work : {Work{0, 0.17f, 0.2f, 0}, Work{0.1f, 0.17f, 0.5f, 0}, Work{0.7f, 0.26f, 0.5f, 0.12f}}) {
             const Person person{eyes, right, work.beside};
@@ -95,15 +99,14 @@ TEST_CASE("torch, hand and arm leave the pool in sight, for three heads and both
             const TorchGeometry geometry = torchGeometry(process);
             const xr::Pose tip = person.torch(work.lean, work.aside, work.turn);
             const xr::Pose hold = tip * xr::Pose{geometry.tipOrientation(), geometry.tip()}.inverse();
-            TorchSample torch;
-            torch.tip = tip.position;
-            torch.orientation = tip.orientation;
-            TorchSurroundings around;
-            around.hand = person.hand(hold).tracked();
-            around.cableEnd = glm::vec3(-0.63f, kTable - 0.3f, 0.05f);
-            std::vector<Solid> solids;
-            buildTorchFittings(solids, torch, process, around, glm::mat4(1));
-            const std::string by = person.covered(solids);
+            HandsView hands;
+            hands.torch = true;
+            hands.tip = tip;
+            hands.holder = person.hand(hold);
+            hands.process = &process;
+            scene.build(parameters, hands);
+            REQUIRE(scene.fittings().size() > 30);
+            const std::string by = person.covered(scene.fittings());
             CHECK(by == "");
         }
 }

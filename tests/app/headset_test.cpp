@@ -253,6 +253,25 @@ TEST_CASE("the visor is a filter of its shade where metal shines, and dims where
     CHECK(classic.exposure == 0.25f);
 }
 
+TEST_CASE("the visor is up while a result is read, and down again soon after") {
+    HeadsetParameters parameters;
+    parameters.adaptation = false;
+    Visor visor;
+    const auto shade = [&] {
+        LookParameters look;
+        visor.update(parameters, {}, look, 0.011);
+        visor.wear(parameters, true, look);
+        return look.visorShade;
+    };
+    CHECK(shade() == 3.0f);
+    visor.read(true, Visor::kLifting / 2);
+    CHECK(shade() == Approx(2.0f));
+    visor.read(true, Visor::kLifting);
+    CHECK(shade() == 0.0f);
+    visor.read(false, Visor::kLifting);
+    CHECK(shade() == 3.0f);
+}
+
 TEST_CASE("an eye without a visor is dazzled by the arc, and told so") {
     HeadsetParameters parameters;
     parameters.visor = false;

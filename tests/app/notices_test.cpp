@@ -1,5 +1,6 @@
 // Messages during the weld: the reason of a missing arc, slow metal, and their display in the headset.
 #include "app/headset/headset_notice.hpp"
+#include "app/headset/panel_pointer.hpp"
 #include "app/session/notices.hpp"
 #include "core/training/feedback/cue_shapes.hpp"
 #include "tests/support/catch.hpp"
@@ -128,7 +129,8 @@ TEST_CASE("the notice hangs above the torch where the person looks there, else b
     CHECK(glm::distance(place.pose().position, tip) < 0.2f);
     // Its lower edge leaves the cues' board free, which is at the tip's height or above.
     const xr::PanelShape& shape = HeadsetNotice::kShape;
-    const float half = shape.width * static_cast<float>(shape.heightPixels) / static_cast<float>(shape.widthPixels) / 2;
+    const float half =
+        place.width() * static_cast<float>(shape.heightPixels) / static_cast<float>(shape.widthPixels) / 2;
     const glm::vec3 edge = place.pose().position - place.pose().orientation * glm::vec3(0, half, 0);
     CHECK(glm::distance(edge, tip) > kCueBoardHeight * glm::distance(head.position, tip));
     CHECK(glm::distance(edge, tip) < 0.1f);
@@ -144,4 +146,44 @@ TEST_CASE("the notice hangs above the torch where the person looks there, else b
     place.update(false, head, tip, 0.9f, 0.01); // only the zoom is left, on the table in front of the workpiece
     CHECK(place.pose().position.y < 1.0f);
     CHECK(place.pose().position.z > 0.1f);
+}
+
+TEST_CASE("the notice keeps its angle however near the head comes, and its capitals are a degree high", "[app]") {
+    const glm::vec3 tip(0, 0.95f, 0);
+    for (const float distance : {0.15f, 0.45f, 0.8f}) {
+        const glm::vec3 back = glm::normalize(glm::vec3(0, 1, 1));
+        const xr::Pose head{glm::angleAxis(-0.785f, glm::vec3(1, 0, 0)), tip + back * distance};
+        NoticePlace fresh;
+        fresh.update(true, head, tip, 0.9f, 0.01);
+        const float angle =
+            glm::degrees(2 * std::atan(fresh.width() / 2 / glm::distance(head.position, fresh.pose().position)));
+        CHECK(angle < 31);
+        CHECK(angle > 25);
+    }
+    constexpr float kFontPoints = 18, kCapitals = 0.71f; // of a line's height, in Open Sans
+    const float share = HeadsetNotice::kTextScale * kFontPoints * kCapitals / float(HeadsetNotice::kShape.widthPixels);
+    CHECK(glm::degrees(2 * std::atan(share * std::tan(NoticePlace::kAngle / 2))) >= 1.0f);
+}
+
+TEST_CASE("the notice hangs below the panel that the person looks at, and tells the task while nothing warns",
+          "[app]") {
+    NoticePlace place;
+    const xr::Pose head{{1, 0, 0, 0}, {0, 1.6f, 0.45f}}, panel{{1, 0, 0, 0}, {0, 1.48f, -0.35f}};
+    place.update(true, head, std::nullopt, 0.9f, 0.01, panel);
+    CHECK(place.pose().position.y < 1.48f - 0.37f);
+    Messages messages;
+    LessonFigures figures;
+    NoticeText notice;
+    notice.compose(messages, figures, 1.0f, "Set 20 V. " + std::string(300, 'x'));
+    CHECK(notice.quiet() == "Set 20 V.\n");
+    messages.warn("one", 0);
+    notice.compose(messages, figures, 1.0f, "Set 20 V.");
+    CHECK(notice.text() == "one\n");
+}
+
+TEST_CASE("the panel in front has letters of a degree from the welder's place", "[app]") {
+    constexpr float kFontPoints = 18, kCapitals = 0.71f;
+    const xr::PanelShape shape;
+    const float capital = HeadsetPanel::kScale * kFontPoints * kCapitals * shape.width / float(shape.widthPixels);
+    CHECK(glm::degrees(std::atan(capital / (Workshop::kReach + PanelPointer::kBehind))) >= 1.0f);
 }

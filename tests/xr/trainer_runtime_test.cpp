@@ -206,6 +206,8 @@ TEST_CASE("the panel opens and its buttons are pressed with the pointer's ray: r
     CHECK(trainer.waitFor([](const json& row) { return row["headset"]["mirrored"] == true; }));
     // A message may come or go between two pictures; a faulty view never passes.
     CHECK(waitUntil([&] { return turned() > 0.1; }));
+    trainee.press(trainer, "headset.page.headset",
+                  [](const json& row) { return row["headset"]["places"].contains("headset.hand.left"); });
     trainee.press(trainer, "headset.desk_view.camera", [](const json& row) {
         return row["headset"]["state"] == "running" && row["headset"]["mirrored"] == false;
     });

@@ -117,6 +117,8 @@ TEST_CASE("zoom, other hand, lost controller: the arc is out first and until the
     trainee.letGo(trainer);
     trainee.pointingHand = 0;
     trainee.showPanel(trainer, true);
+    trainee.press(trainer, "headset.page.headset",
+                  [](const json& row) { return row["headset"]["places"].contains("headset.hand.left"); });
     putOutFor("zoomed", trainer, trainee, record, [&](int) {
         trainee.scrollTo(trainer, "headset.zoom");
         const bool changed = trainer.now()["headset"]["places"].contains("headset.zoom.back");

@@ -33,6 +33,23 @@ void checkStaysOut(const Change& change) {
 
 } // namespace
 
+TEST_CASE("a trigger that switches is on above 0.3 and off below 0.2") {
+    TriggerSwitch wire;
+    CHECK(wire.pass(0.25f) == 0.0f);
+    CHECK(wire.pass(0.31f) == 1.0f);
+    CHECK(wire.pass(0.25f) == 1.0f);
+    CHECK(wire.pass(0.19f) == 0.0f);
+    CHECK(wire.pass(0.25f) == 0.0f);
+}
+
+TEST_CASE("a lesson's beginning names itself, whatever held the trigger before") {
+    TriggerLock lock;
+    lock.lock(ArcOut::notFocused);
+    lock.lock(ArcOut::lessonBegan);
+    lock.lock(ArcOut::panel);
+    CHECK(lock.reason() == ArcOut::lessonBegan);
+}
+
 TEST_CASE("a locked trigger counts when it was let go, and not while nobody knows") {
     TriggerLock lock;
     CHECK(lock.pass(0.7f) == 0.7f);
