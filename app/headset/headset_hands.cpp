@@ -28,6 +28,7 @@ void HeadsetHands::update(const xr::Input& input, const Workshop& workshop, cons
     updateTorch(input, workshop, geometry, elapsed);
     const bool right = torchHand() == xr::Hand::right;
     const xr::HandInput& other = input.hand(right ? xr::Hand::left : xr::Hand::right);
+    otherAlone_ = other.tracked && !selector_.torch().present;
     rod_ = other.tracked ? std::optional(handPose(other, workshop, !right)) : std::nullopt;
     if (measuring_.underWay()) putOut(ArcOut::measuring);
 }
@@ -68,6 +69,8 @@ TorchSample HeadsetHands::withRod(TorchSample sample, const WorkpiecePlace& plac
 
 std::string_view HeadsetHands::warning() const {
     if (!selector_.warning().empty()) return selector_.warning();
+    if (otherAlone_)
+        return phrase(torchHand() == xr::Hand::right ? "headset.torch.only_left" : "headset.torch.only_right");
     if (torch_.known() && !torch_.tracked()) return phrase("headset.torch.lost");
     return {};
 }

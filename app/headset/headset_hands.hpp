@@ -67,6 +67,7 @@ class HeadsetHands {
     TrackedTorch torch_;
     HandPose holder_;
     std::optional<HandPose> rod_; ///< the other hand, empty while it is not tracked
+    bool otherAlone_ = false;     ///< only the other hand has a controller
 };
 
 } // namespace meltpool

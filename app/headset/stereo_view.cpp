@@ -20,6 +20,10 @@ namespace meltpool {
 
 namespace {
 
+/// Shades by which the visor is lighter while a demonstration or a replay is watched. By EN 169 two shades pass seven
+/// times the light.
+constexpr float kLighterToWatch = 2;
+
 std::optional<ViewSubmission> wantedSubmission(const HeadsetParameters& parameters) {
     if (parameters.bothEyes == HeadsetParameters::kAutomatic) return std::nullopt;
     return kViewSubmissions[static_cast<size_t>(parameters.bothEyes - HeadsetParameters::kViewports)];
@@ -64,9 +68,14 @@ void StereoView::wearVisor(const LessonSession& session, SceneView& scene, const
     if (!scene.temperature.kelvin) return visor_.wear(parameters_, false, look);
     if (!isArcWelding(session.lesson().process)) return;
     const double elapsed = std::exchange(sinceSeen_, 0);
-    visor_.update(parameters_, seenArc(scene, between, session.run().arc().length), look, elapsed);
-    visor_.wear(parameters_, true, look);
-    scene.afterImage = visor_.afterImage(parameters_);
+    HeadsetParameters worn = parameters_;
+    // Who watches a demonstration wants to see its torch and hand, too.
+    if (session.leader() == TorchLeader::path)
+        worn.visorShade =
+            std::max(worn.visorShade - kLighterToWatch, std::min(worn.visorShade, float(WornVisor::kProtects)));
+    visor_.update(worn, seenArc(scene, between, session.run().arc().length), look, elapsed);
+    visor_.wear(worn, true, look);
+    scene.afterImage = visor_.afterImage(worn);
 }
 
 /// Adds torch and hands of the process, table, machine and holders, in a room with depth.

@@ -66,7 +66,7 @@ class CountedHeadset {
                     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
                 });
             headset_->showPanel({});
-            headset_->showNotice({}, true);
+            headset_->showNotice({}, 0.36f, true);
             headset_->endFrame();
             ++ended_;
         } catch (const xr::Stalled&) {
