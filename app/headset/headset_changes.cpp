@@ -33,7 +33,7 @@ void HeadsetChanges::takeParameters(const HeadsetParameters& parameters, float z
     note(now.hand != last.hand, "hand", ArcOut::handChanged,
          [&] { return now.hand == HeadsetParameters::kLeft ? "left" : "right"; });
     note(now.table != last.table, "table", ArcOut::tableMoved,
-         [&] { return now.table == HeadsetParameters::kSetHeight ? "as_set" : "from_eyes"; });
+         [&] { return now.table == HeadsetParameters::kSetHeight ? "set" : "automatic"; });
 }
 
 void HeadsetChanges::recentred(HeadsetHands& hands, LessonSession& session) {

@@ -10,7 +10,7 @@ constexpr std::array<std::string_view, 2> kHands{"right", "left"};
 constexpr std::array<std::string_view, 2> kTorchOn{"controller", "tracker"};
 constexpr std::array<std::string_view, 3> kDeskViews{"automatic", "trainee", "camera"};
 constexpr std::array<std::string_view, 4> kBothEyes{"automatic", "viewports", "clip distances", "passes"};
-constexpr std::array<std::string_view, 2> kTables{"from your eyes", "as set"};
+constexpr std::array<std::string_view, 2> kTables{"automatic", "set"};
 
 } // namespace
 
@@ -27,8 +27,8 @@ ParameterList describe(HeadsetParameters& p) {
         {"torch", "Torch on", "", &p.torchOn, 0, 1,
          "With tracker, a Vive tracker sits on a real torch. The trigger is its own or the hand's.", kTorchOn},
         {"table", "Height of the table", "", &p.table, 0, 1,
-         "From your eyes: it fits you, standing or seated. As set: the height below, over the floor.", kTables},
-        {"table_height", "Set height", "m", &p.setHeight, 0.4, 1.6, "Acts with the height of the table as set."},
+         "Automatic: it fits your eyes, standing or seated. Set: the height below, over the floor.", kTables},
+        {"table_height", "Set height", "m", &p.setHeight, 0.4, 1.6, "Height over the floor, if the height of the table is set."},
         {"zoom", "Zoom of the classic lesson", "", &p.zoom, 1, 10,
          "Factor on the metal's size, paths and speeds. Torch and hands keep their size."},
         {"weld_zoom", "Zoom of a weld", "", &p.weldZoom, 1, 10,

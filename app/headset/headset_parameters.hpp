@@ -11,13 +11,13 @@ namespace meltpool {
 struct HeadsetParameters {
     enum TorchHand { kRight, kLeft };
     enum TorchOn { kController, kTracker };
-    enum Table { kFromEyes, kSetHeight };
+    enum Table { kAutomaticHeight, kSetHeight };
     enum DeskView { kByVisor, kTrainee, kCamera };
     enum BothEyes { kAutomatic, kViewports, kClipDistances, kPasses };
 
     int hand = kRight;            ///< TorchHand
     int torchOn = kController;    ///< TorchOn: device that carries the torch's pose
-    int table = kFromEyes;        ///< Table: origin of the table's height
+    int table = kAutomaticHeight; ///< Table: origin of the table's height
     float setHeight = 0.90f;      ///< m of the table over the floor, for kSetHeight
     float tableHeight = 0.90f;    ///< m over the workshop's floor, in effect since the workshop was last placed
     float zoom = 4.0f;            ///< scale at which the classic lesson's box is shown

@@ -11,7 +11,7 @@ namespace {
 
 /// Shortest frame, s: frames in bursts are no faster than a display shows them.
 constexpr double kShortestFrame = 1.0 / 90;
-/// Longest frame whose whole way counts, s: over a longer way in one slow frame nobody steered the arc.
+/// Longest frame whose whole way counts, s: a longer way in one slow frame was not steered.
 constexpr double kLongestFrame = 1.0 / 30;
 
 } // namespace

@@ -25,6 +25,7 @@ Window titled(Display* display, const std::string& title) {
 } // namespace
 
 void pressKey(const std::string& title, const std::string& symbol) {
+    static Time lastTime = 0; // GLFW ignores a key's second event of one time
     Display* display = XOpenDisplay(nullptr);
     if (display == nullptr) throw RuntimeFault("no X display for the key");
     XEvent event{};
@@ -37,7 +38,7 @@ void pressKey(const std::string& title, const std::string& symbol) {
     key.keycode = XKeysymToKeycode(display, XStringToKeysym(symbol.c_str()));
     for (const int type : {KeyPress, KeyRelease}) {
         event.type = type;
-        key.time += 1; // GLFW ignores a second event of one time
+        key.time = ++lastTime;
         XSendEvent(display, key.window, 1, type == KeyPress ? KeyPressMask : KeyReleaseMask, &event);
     }
     XSync(display, 0);

@@ -63,6 +63,7 @@ struct Weld {
           trainer(folder, {"--headset", "--lesson", lesson.string(), "--record", record.string()}) {
         trainee.bottom = makeWorkpiece(readLesson(lesson).workpiece).low.y;
         trainee.zoom = 1;
+        trainee.take("gmaw");
         trainee.held = glm::angleAxis(-1.4f, glm::vec3(1, 0, 0)); // nearly straight down
         REQUIRE(trainer.waitFor(ready));
         trainee.lookDown();

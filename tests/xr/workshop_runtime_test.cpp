@@ -84,7 +84,7 @@ TEST_CASE("left hand, low table at a set height, another zoom: the tip is where 
     trainee.zoom = 2;
     trainee.tableHeight = trainee.tableTop = 0.7f;
     TrainerProcess trainer(folder, {"--headset", "--lesson", smallLesson(folder).string()},
-                           "hand = \"left\"\ntable = \"as set\"\nzoom = 2\ntable_height = 0.7\n");
+                           "hand = \"left\"\ntable = \"set\"\nzoom = 2\ntable_height = 0.7\n");
     REQUIRE(trainer.waitFor(ready));
     const glm::vec3 corner(0.018f);
     CHECK(trainee.strike(trainer, corner, torchAt(corner * 1000.0f)));
