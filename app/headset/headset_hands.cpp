@@ -69,9 +69,9 @@ TorchSample HeadsetHands::withRod(TorchSample sample, const WorkpiecePlace& plac
 
 std::string_view HeadsetHands::warning() const {
     if (!selector_.warning().empty()) return selector_.warning();
-    if (otherAlone_)
-        return phrase(torchHand() == xr::Hand::right ? "headset.torch.only_left" : "headset.torch.only_right");
     if (torch_.known() && !torch_.tracked()) return phrase("headset.torch.lost");
+    if (otherAlone_ && !torch_.known())
+        return phrase(torchHand() == xr::Hand::right ? "headset.torch.only_left" : "headset.torch.only_right");
     return {};
 }
 

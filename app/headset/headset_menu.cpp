@@ -70,7 +70,8 @@ HeadsetMenuAnswer HeadsetMenu::draw(const xr::Panel& panel, const PointerOnPanel
         lessonPart(context, session, content);
         pagePart(context, session, content);
         if (content.dimmed)
-            ImGui::GetForegroundDrawList()->AddRectFilled({0, 0}, ImGui::GetIO().DisplaySize, IM_COL32(0, 0, 0, 120));
+            ui::fillRounded(*ImGui::GetForegroundDrawList(), {0, 0}, ImGui::GetIO().DisplaySize, IM_COL32(0, 0, 0, 120),
+                            0);
     });
     return answer_;
 }

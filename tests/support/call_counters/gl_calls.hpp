@@ -31,7 +31,7 @@
 
 // Calls of OpenGL 1.1: functions of the driver's library.
 #define OLDER_GL_CALLS(W) \
-    W(glEnable) W(glDisable) W(glGetIntegerv) W(glViewport) W(glGetError) W(glClearColor) W(glClear) W(glScissor) \
+    W(glEnable) W(glDisable) W(glGetIntegerv) W(glViewport) W(glGetError) W(glClearColor) W(glClear) W(glColorMask) W(glScissor) \
     W(glFinish) W(glFlush) W(glDepthMask) W(glPixelStorei) W(glDepthFunc) W(glDeleteTextures) W(glIsTexture) \
     W(glDrawArrays) W(glCullFace) W(glBlendFunc) W(glReadPixels) W(glGenTextures) W(glBindTexture) W(glGetString)
 // clang-format on

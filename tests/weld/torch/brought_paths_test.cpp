@@ -72,7 +72,7 @@ const std::vector<Refused> kRefused{
     {"refused-utf-16-without-mark.csv", ".csv: ", "looks like UTF-16 without a byte order mark"},
     {"refused-utf-32.csv", ".csv: ", "is UTF-32"},
     {"refused-mixed-decimals.csv", ".csv:7: ", "has the number '0.10' below numbers with a decimal comma"},
-    {"refused-thousands.csv", ".csv:5: ", "has the number '-1,234.5'; expected one without a sign between"},
+    {"refused-thousands.csv", ".csv:5: ", "has the number '-1,234.5'; expected one without a thousands separator"},
     {"refused-decimal-comma-and-commas.csv", ".csv:2: ",
      "has 15 cells; expected 9, one for each column of the header; "
      "numbers with a decimal comma need quotes"},
