@@ -166,7 +166,9 @@ void HeadsetFrontEnd::askAgain(const LessonSession& session, const xr::Input& in
     const bool free = page_ == Page::result && !session.question().asked() && panel_.pointingHand() != other;
     const bool begins = !std::exchange(otherPulled_, pulled);
     const double before = againHeld_;
-    againHeld_ = pulled && free && (begins || againHeld_ > 0) ? againHeld_ + elapsed : 0;
+    // A slow frame makes no hold of a short pull.
+    const double seen = std::min(elapsed, 0.1);
+    againHeld_ = pulled && free && (begins || againHeld_ > 0) ? againHeld_ + seen : 0;
     again_ = before < kHoldForAgain && againHeld_ >= kHoldForAgain;
 }
 

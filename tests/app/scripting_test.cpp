@@ -109,7 +109,7 @@ TEST_CASE("attempts are listed as JSON and as one table with their results", "[a
     // A lone recording name would name the output; the recording must not be overwritten.
     const test::Outcome refused = runMeltpool("recordings --csv '" + (folder / "day-1.meltrec").string() + "'");
     CHECK(refused.code == 2);
-    CHECK_THAT(refused.errors, containsText("day-1.meltrec: is a recording; expected the table's name"));
+    CHECK_THAT(refused.errors, containsText("day-1.meltrec: is a recording; expected a table's name"));
     CHECK(readRecording(folder / "day-1.meltrec").steps.size() == 1);
     const test::Outcome none = runMeltpool(arguments, "rm -f '" + folder.string() + "'/*.meltrec;");
     CHECK(none.code == 0);
