@@ -274,16 +274,26 @@ std::string_view HeadsetFrontEnd::quietSentence(const LessonSession& session) co
                                                                         : std::string_view();
 }
 
+/// Leads the eyes to the work until the attempt's arc has burned: the panel, at eye height, was the last thing they
+/// saw.
+std::string_view HeadsetFrontEnd::wayToWork(const LessonSession& session) const {
+    if (!drawn_ || arcBurned_ || page_ != Page::work || session.leader() != TorchLeader::hand) return {};
+    const std::array<xr::EyeView, 2>& eyes = connection_.headset()->views();
+    const xr::Pose head = workshop_.toWorkshop(xr::interpolate(eyes[0].pose, eyes[1].pose, 0.5f));
+    return meltpool::wayToWork(head, place_.toWorkshop(glm::vec3(0)));
+}
+
 void HeadsetFrontEnd::drawNotice(const LessonSession& session, const LessonFigures& figures, const Messages& messages,
                                  double elapsed) {
-    notice_.text.compose(messages, figures, place_.zoom, quietSentence(session));
+    const std::string_view way = againHeld_ > 0 ? std::string_view() : wayToWork(session);
+    notice_.text.compose(messages, figures, place_.zoom, way.empty() ? quietSentence(session) : way);
     if (!drawn_ || notice_.text.text().empty()) return;
     guarded([&] {
         xr::Headset& headset = *connection_.headset();
         const std::array<xr::EyeView, 2>& eyes = headset.views();
         const xr::Pose head = workshop_.toWorkshop(xr::interpolate(eyes[0].pose, eyes[1].pose, 0.5f));
         const TrackedTorch& torch = hands_.torch();
-        notice_.place.update(!notice_.text.warnings().empty() || againHeld_ > 0, head,
+        notice_.place.update(!notice_.text.warnings().empty() || againHeld_ > 0 || !way.empty(), head,
                              torch.tracked() ? std::optional(torch.tip().position) : std::nullopt,
                              parameters_.tableHeight, elapsed,
                              panel_.open() ? std::optional(panel_.pose()) : std::nullopt);

@@ -76,6 +76,15 @@ void NoticeText::compose(const Messages& messages, const LessonFigures& figures,
     addLine(line);
 }
 
+std::string_view wayToWork(const xr::Pose& head, const glm::vec3& work) {
+    constexpr float kSeesIt = 0.82f; // cosine of 35 degrees
+    const glm::vec3 way = work - head.position;
+    if (glm::dot(glm::normalize(way), head.forward()) > kSeesIt) return {};
+    const float rise = way.y / glm::length(way);
+    if (rise < -0.3f) return phrase("headset.notice.look_down");
+    return phrase(rise > 0.3f ? "headset.notice.look_up" : "headset.notice.look_ahead");
+}
+
 void NoticePlace::update(bool warns, const xr::Pose& head, const std::optional<glm::vec3>& tip, float tableHeight,
                          double elapsed, const std::optional<xr::Pose>& panel) {
     if (!warns) {

@@ -34,6 +34,9 @@ class NoticeText {
     size_t quietFrom_ = 0;
 };
 
+/// Sentence that leads the eyes to the work at this place of the workshop; empty if they look at it, to 35 degrees.
+std::string_view wayToWork(const xr::Pose& head, const glm::vec3& work);
+
 /// Places the notice in the workshop: above the torch's tip if the person looks there, else before their eyes; without
 /// a warning on the table. It follows with a delay, so that a trembling hand does not blur it. Its width is an angle,
 /// so that it covers no more of the view when the head comes near.

@@ -118,6 +118,18 @@ TEST_CASE("the headset's notice has the window's warnings, the newest last, and 
     CHECK_THAT(std::string(notice.quiet()), test::containsText("Zoom 4"));
 }
 
+TEST_CASE("eyes that look away are led to the work, below, above or ahead") {
+    const auto told = [](float pitch, const glm::vec3& work) {
+        const xr::Pose head{glm::angleAxis(pitch, glm::vec3(1, 0, 0)), {0, 1.6f, 0.36f}};
+        return std::string(wayToWork(head, work));
+    };
+    CHECK_THAT(told(0, {0, 1.2f, 0}), test::containsText("Look down"));
+    CHECK(told(-0.5f, {0, 1.2f, 0}).empty()); // 20 degrees over it
+    CHECK_THAT(told(0, {0, 1.9f, 0}), test::containsText("Look up"));
+    CHECK(told(0, {0, 1.55f, 0}).empty());
+    CHECK_THAT(told(0, {0.6f, 1.6f, 0.3f}), test::containsText("Turn to the work"));
+}
+
 TEST_CASE("the notice hangs above the torch where the person looks there, else before their eyes", "[app]") {
     NoticePlace place;
     const xr::Pose head{glm::angleAxis(-0.7f, glm::vec3(1, 0, 0)), {0, 1.4f, 0.45f}};
