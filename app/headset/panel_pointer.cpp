@@ -7,11 +7,11 @@ namespace meltpool {
 
 namespace {
 
-constexpr double kMoving = 0.3;     // s from one place to the other
-constexpr float kUnderEyes = 0.12f; // m, the panel's middle in front
-constexpr float kOverTable = 0.40f; // m, least height of the panel's middle
+constexpr double kMoving = 0.3;       // s from one place to the other
+constexpr float kUnderEyes = 0.12f;   // m, the panel's middle in front
+constexpr float kOverTable = 0.40f;   // m, least height of the panel's middle
 constexpr float kOtherHeight = 0.15f; // m, by which other eyes are higher or lower
-constexpr float kAsideX = 0.42f;    // m
+constexpr float kAsideX = 0.42f;      // m
 
 } // namespace
 

@@ -18,17 +18,17 @@ struct PersonInFrame {
 
 /// The workshop is due in these cases:
 /// - The first head is located.
-/// - The headset was put on: the runtime says so, or a head that lay still beside its controllers moves. It must be far from the last place,
-///   so that somebody who only lifts the visor finds the work where it was.
+/// - The headset was put on: the runtime says so, or a head that lay still beside its controllers moves. It must be far
+///   from the last place, so that somebody who only lifts the visor finds the work where it was.
 /// - The person has gone far away.
 /// - The system's own recentre moved the space.
 /// - The button is held for a second, or request() was called.
 /// A head that is being put on, or walks, is waited for until it is calm.
 class WorkshopPlacing {
   public:
-    static constexpr double kHold = 1;          ///< s that the button must be held
-    static constexpr double kRest = 8;          ///< s without any motion after which headset and controllers lie on a desk
-    static constexpr double kCalm = 0.5;        ///< s of calm before a place is taken
+    static constexpr double kHold = 1;   ///< s that the button must be held
+    static constexpr double kRest = 8;   ///< s without any motion after which headset and controllers lie on a desk
+    static constexpr double kCalm = 0.5; ///< s of calm before a place is taken
     static constexpr double kLongestWait = 4;   ///< s after which a restless head counts as calm
     static constexpr float kFarAway = 2;        ///< m from the workpiece, level
     static constexpr float kOtherPlace = 0.35f; ///< m from the last place, level: another standing place

@@ -18,11 +18,11 @@ namespace meltpool::test {
 
 /// Properties of the imitated headset. Change them while no instance exists, or by changeController().
 struct StubDevice {
-    std::vector<std::string> withheld;         ///< extensions that are not offered
-    bool presence = true;                      ///< has a sensor for the head
-    bool stage = true;                         ///< offers STAGE
-    float lean = 0;                            ///< radians that the aim points above the grip
-    float hidden = 0; ///< width of a hidden strip at the left of both eyes, in the plane z = -1
+    std::vector<std::string> withheld; ///< extensions that are not offered
+    bool presence = true;              ///< has a sensor for the head
+    bool stage = true;                 ///< offers STAGE
+    float lean = 0;                    ///< radians that the aim points above the grip
+    float hidden = 0;                  ///< width of a hidden strip at the left of both eyes, in the plane z = -1
     std::vector<float> rates{72, 120, 90, 80}; ///< display rates, Hz
 };
 
