@@ -21,6 +21,10 @@ xr::HeadsetSettings settingsOf(const HeadsetParameters& parameters) {
     return settings;
 }
 
+xr::Pose middleOf(const std::array<xr::EyeView, 2>& eyes) {
+    return xr::interpolate(eyes[0].pose, eyes[1].pose, 0.5f);
+}
+
 } // namespace
 
 HeadsetFrontEnd::HeadsetFrontEnd(const std::filesystem::path& folder)
@@ -150,10 +154,7 @@ void HeadsetFrontEnd::movePanel(const LessonSession& session, double elapsed) {
         panel_.hide();
     }
     std::optional<glm::vec3> eyes;
-    if (drawn_) {
-        const std::array<xr::EyeView, 2>& views = connection_.headset()->views();
-        eyes = workshop_.toWorkshop(xr::interpolate(views[0].pose, views[1].pose, 0.5f)).position;
-    }
+    if (drawn_) eyes = workshop_.toWorkshop(head()).position;
     panel_.move(works, eyes, hands_.torchHand(), elapsed);
 }
 
@@ -191,11 +192,8 @@ bool HeadsetFrontEnd::handsAct(const xr::Input& input) {
 void HeadsetFrontEnd::placeWorkshop(LessonSession& session, double elapsed) {
     xr::Headset& headset = *connection_.headset();
     const xr::Input& input = headset.input();
-    const auto middle = [](const std::array<xr::EyeView, 2>& eyes) {
-        return xr::interpolate(eyes[0].pose, eyes[1].pose, 0.5f);
-    };
     PersonInFrame person;
-    if (drawn_) person.head = middle(headset.views());
+    if (drawn_) person.head = head();
     person.worn = headset.news().worn;
     person.spaceMoved = headset.news().spaceMoved;
     person.handsAct = handsAct(input);
@@ -204,10 +202,11 @@ void HeadsetFrontEnd::placeWorkshop(LessonSession& session, double elapsed) {
     if (!placing_.due() || hands_.torch().trigger() > 0) return;
     std::array<xr::EyeView, 2> eyes;
     if (!headset.locateEyes(eyes)) return;
+    const xr::Pose here = middleOf(eyes);
     const bool set = parameters_.table == HeadsetParameters::kSetHeight;
-    parameters_.tableHeight = workshop_.place(middle(eyes), set ? std::optional(parameters_.setHeight) : std::nullopt,
+    parameters_.tableHeight = workshop_.place(here, set ? std::optional(parameters_.setHeight) : std::nullopt,
                                               headset.session().originOnFloor());
-    placing_.placed(middle(eyes));
+    placing_.placed(here);
     panel_.forgetHeight();
     changes_.recentred(hands_, session);
 }
@@ -256,10 +255,9 @@ void HeadsetFrontEnd::recordPerson(LessonSession& session) {
                              glm::normalize(place_.toWorkpiece(glm::normalize(pose.orientation)))};
     };
     xr::Headset& headset = *connection_.headset();
-    const std::array<xr::EyeView, 2>& eyes = headset.views();
     RecordingPerson person;
     person.steps = session.run().steps();
-    person.head = inWorkpiece(xr::interpolate(eyes[0].pose, eyes[1].pose, 0.5f));
+    person.head = inWorkpiece(head());
     if (const auto& left = headset.input().hand(xr::Hand::left); left.tracked) person.left = inWorkpiece(left.grip);
     if (const auto& right = headset.input().hand(xr::Hand::right); right.tracked)
         person.right = inWorkpiece(right.grip);
@@ -274,13 +272,15 @@ std::string_view HeadsetFrontEnd::quietSentence(const LessonSession& session) co
                                                                         : std::string_view();
 }
 
+xr::Pose HeadsetFrontEnd::head() const {
+    return middleOf(connection_.headset()->views());
+}
+
 /// Leads the eyes to the work until the attempt's arc has burned: the panel, at eye height, was the last thing they
 /// saw.
 std::string_view HeadsetFrontEnd::wayToWork(const LessonSession& session) const {
     if (!drawn_ || arcBurned_ || page_ != Page::work || session.leader() != TorchLeader::hand) return {};
-    const std::array<xr::EyeView, 2>& eyes = connection_.headset()->views();
-    const xr::Pose head = workshop_.toWorkshop(xr::interpolate(eyes[0].pose, eyes[1].pose, 0.5f));
-    return meltpool::wayToWork(head, place_.toWorkshop(glm::vec3(0)));
+    return meltpool::wayToWork(workshop_.toWorkshop(head()), place_.toWorkshop(glm::vec3(0)));
 }
 
 void HeadsetFrontEnd::drawNotice(const LessonSession& session, const LessonFigures& figures, const Messages& messages,
@@ -290,10 +290,9 @@ void HeadsetFrontEnd::drawNotice(const LessonSession& session, const LessonFigur
     if (!drawn_ || notice_.text.text().empty()) return;
     guarded([&] {
         xr::Headset& headset = *connection_.headset();
-        const std::array<xr::EyeView, 2>& eyes = headset.views();
-        const xr::Pose head = workshop_.toWorkshop(xr::interpolate(eyes[0].pose, eyes[1].pose, 0.5f));
         const TrackedTorch& torch = hands_.torch();
-        notice_.place.update(!notice_.text.warnings().empty() || againHeld_ > 0 || !way.empty(), head,
+        notice_.place.update(!notice_.text.warnings().empty() || againHeld_ > 0 || !way.empty(),
+                             workshop_.toWorkshop(head()),
                              torch.tracked() ? std::optional(torch.tip().position) : std::nullopt,
                              parameters_.tableHeight, elapsed,
                              panel_.open() ? std::optional(panel_.pose()) : std::nullopt);
@@ -356,9 +355,7 @@ std::string_view HeadsetFrontEnd::nextDeskView() {
 
 std::optional<glm::vec3> HeadsetFrontEnd::arcFromHead(const LessonSession& session) const {
     if (!drawn_ || !session.running() || connection_.headset() == nullptr) return std::nullopt;
-    const std::array<xr::EyeView, 2>& eyes = connection_.headset()->views();
-    const xr::Pose head = workshop_.toWorkshop(xr::interpolate(eyes[0].pose, eyes[1].pose, 0.5f));
-    return head.inverse() * place_.toWorkshop(session.run().torch().tip);
+    return workshop_.toWorkshop(head()).inverse() * place_.toWorkshop(session.run().torch().tip);
 }
 
 std::string HeadsetFrontEnd::sentence() const {

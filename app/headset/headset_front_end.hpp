@@ -53,6 +53,8 @@ class HeadsetFrontEnd final : public WindowHeadset {
     /// Page that the person has before them; none before the first frame.
     enum class Page { none, home, lesson, work, result };
 
+    /// Head of the last drawn frame, in the session's space.
+    xr::Pose head() const;
     static Page pageOf(const LessonSession& session, const Home& home);
     void followPage(const LessonSession& session, const Home& home);
     bool heats(const LessonSession& session) const;
