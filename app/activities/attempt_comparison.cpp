@@ -55,11 +55,11 @@ void AttemptComparison::end() {
     fault_.clear();
 }
 
-AttemptComparison::Kept AttemptComparison::known(const std::filesystem::path& file, std::uintmax_t bytes) const {
-    const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& kept) {
+AttemptComparison::SharedAttempt AttemptComparison::known(const std::filesystem::path& file, std::uintmax_t bytes) const {
+    const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const SharedAttempt& kept) {
         return kept->file == file && kept->bytes == bytes && bytes > 0;
     });
-    return found == kept_.end() ? Kept() : *found;
+    return found == kept_.end() ? SharedAttempt() : *found;
 }
 
 std::optional<int> AttemptComparison::due(ActivityFrame& frame) {

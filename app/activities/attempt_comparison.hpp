@@ -78,9 +78,9 @@ class AttemptComparison final : public Activity {
     size_t welded() const { return welded_; }
 
   private:
-    using Kept = std::shared_ptr<const ComparedAttempt>;
+    using SharedAttempt = std::shared_ptr<const ComparedAttempt>;
 
-    Kept known(const std::filesystem::path& file, std::uintmax_t bytes) const;
+    SharedAttempt known(const std::filesystem::path& file, std::uintmax_t bytes) const;
     double share() const;
     bool isOver() const { return share() >= 1; }
     void finishSide();
@@ -90,12 +90,12 @@ class AttemptComparison final : public Activity {
     std::optional<TechniqueBands> bands_;
     std::array<Side, 2> chosen_;
     std::array<std::optional<Lesson>, 2> lessons_; ///< lessons of the attempts still to be welded
-    std::array<Kept, 2> sides_;
+    std::array<SharedAttempt, 2> sides_;
     size_t due_ = 0; ///< count of attempts that had to be welded for this comparison
     std::optional<Comparison> comparison_;
     std::optional<ComparisonRows> rows_;
     std::string fault_;
-    std::vector<Kept> kept_; ///< newest last
+    std::vector<SharedAttempt> kept_; ///< newest last
     size_t welded_ = 0;
     SeekPace pace_{0.1};
     std::unique_ptr<Trainer> trainer_; ///< trainer of the current attempt

@@ -19,9 +19,9 @@ bool HeadsetChanges::lessonBegan(const LessonSession& session) {
 
 void HeadsetChanges::takeParameters(const HeadsetParameters& parameters, float zoom, HeadsetHands& hands,
                                     LessonSession& session) {
-    const Shown now{zoom, parameters.tableHeight, parameters.hand, parameters.table};
+    const RecordedValues now{zoom, parameters.tableHeight, parameters.hand, parameters.table};
     const bool fresh = !shown_;
-    const Shown last = shown_.value_or(now);
+    const RecordedValues last = shown_.value_or(now);
     shown_ = now;
     const auto note = [&](bool changed, std::string_view name, ArcOut reason, const auto& value) {
         if (changed) hands.putOut(reason);

@@ -28,14 +28,14 @@ class HeadsetChanges {
 
   private:
     /// Values compared between frames.
-    struct Shown {
+    struct RecordedValues {
         float zoom = 1;
         float tableHeight = 0;
         int hand = 0;
         int table = 0;
     };
 
-    std::optional<Shown> shown_; ///< empty: all values are new to the record
+    std::optional<RecordedValues> shown_; ///< empty: all values are new to the record
     std::optional<TorchHolder> holder_;
     bool running_ = false;
     bool started_ = false;

@@ -72,14 +72,14 @@ double FrameMeter::lastMs(FrameWork work) const {
 
 double FrameMeter::medianMs(FrameWork work) const {
     if (kept() == 0) return 0;
-    Kept sorted = keptOf(work);
+    Samples sorted = keptOf(work);
     const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(kept() / 2);
     std::nth_element(sorted.begin(), middle, sorted.begin() + static_cast<std::ptrdiff_t>(kept()));
     return static_cast<double>(*middle);
 }
 
 double FrameMeter::leastMs(FrameWork work) const {
-    const Kept& all = keptOf(work);
+    const Samples& all = keptOf(work);
     if (kept() == 0) return 0;
     return static_cast<double>(*std::min_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(kept())));
 }

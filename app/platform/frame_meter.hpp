@@ -49,18 +49,18 @@ class FrameMeter {
     static constexpr size_t kKept = 512;
 
   private:
-    using Kept = std::array<float, kKept>;
+    using Samples = std::array<float, kKept>;
 
     void take();
     size_t kept() const;
-    const Kept& keptOf(FrameWork work) const { return kept_[static_cast<size_t>(work)]; }
+    const Samples& keptOf(FrameWork work) const { return kept_[static_cast<size_t>(work)]; }
 
     WorkMeter work_;
     Totals totals_;
     std::array<double, kWorkPlaces> sum_{};
     std::array<double, kWorkPlaces> last_{};
     std::array<double, kFrameWorks> cpu_{};
-    std::array<Kept, kFrameWorks> kept_{};
+    std::array<Samples, kFrameWorks> kept_{};
     std::uint64_t allocations_ = 0;
     bool running_ = false;
 };

@@ -17,17 +17,17 @@ constexpr double kLeft = 48, kRight = 8, kTop = 22, kBottom = 24;
 constexpr double kInch = 25.4; // mm
 
 /// Unit in one of the two systems that the page shows.
-struct Shown {
+struct UnitScale {
     std::string_view unit;
     double per = 1; ///< count of it in one of the curve's unit
 };
 
-Shown metric(std::string_view unit) {
+UnitScale metric(std::string_view unit) {
     return {unit == "mm2" ? std::string_view("mm²") : unit, 1};
 }
 
 /// Inch unit; the metric one for a unit that has no inches.
-Shown inches(std::string_view unit) {
+UnitScale inches(std::string_view unit) {
     if (unit == "mm") return {"in", 1 / kInch};
     if (unit == "mm2") return {"in²", 1 / (kInch * kInch)};
     if (unit == "mm/s") return {"in/min", 60 / kInch};
@@ -70,7 +70,7 @@ void drawTicks(const CurveRange& range, int about, double per, const Draw& draw)
 /// Draws numbers, title and axes in one system, whose name is the style that shows and hides it.
 void drawSystem(SvgText& svg, const CurveSheet& sheet, const Curve& curve, std::string_view system) {
     const bool mm = system == "mm";
-    const Shown value = mm ? metric(curve.unit) : inches(curve.unit), place = mm ? metric("mm") : inches("mm");
+    const UnitScale value = mm ? metric(curve.unit) : inches(curve.unit), place = mm ? metric("mm") : inches("mm");
     drawTicks(sheet.values, 4, value.per, [&](double at, const std::string& text) {
         svg.word(sheet.left - 5, sheet.y(at) + 3, "end", text, system);
     });

@@ -135,19 +135,19 @@ StateParts& StateCapture::begin() {
 }
 
 /// Reserves spare memory, because a metal grows while it is fed.
-void StateCapture::makeRoom(size_t bytes) {
-    if (bytes <= room_) return;
-    const size_t room = bytes + bytes / 4;
+void StateCapture::reserve(size_t bytes) {
+    if (bytes <= capacity_) return;
+    const size_t reserved = bytes + bytes / 4;
     GLuint name = 0;
     glCreateBuffers(1, &name);
     copy_ = Handle<destroy>(name);
     labelObject(GL_BUFFER, name, "copy of a state");
     constexpr GLbitfield kFlags = GL_MAP_READ_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
-    glNamedBufferStorage(name, static_cast<GLsizeiptr>(room), nullptr, kFlags | GL_CLIENT_STORAGE_BIT);
-    mapped_ = glMapNamedBufferRange(name, 0, static_cast<GLsizeiptr>(room), kFlags);
-    room_ = mapped_ == nullptr ? 0 : room;
+    glNamedBufferStorage(name, static_cast<GLsizeiptr>(reserved), nullptr, kFlags | GL_CLIENT_STORAGE_BIT);
+    mapped_ = glMapNamedBufferRange(name, 0, static_cast<GLsizeiptr>(reserved), kFlags);
+    capacity_ = mapped_ == nullptr ? 0 : reserved;
     if (mapped_ == nullptr)
-        throw RuntimeFault("the graphics driver has no room for " + std::to_string(room >> 20) +
+        throw RuntimeFault("the graphics driver has no room for " + std::to_string(reserved >> 20) +
                            " MiB of a saved state; use fewer particles");
 }
 
@@ -177,7 +177,7 @@ void StateCapture::copyBuffers() {
     size_t bytes = 0;
     for (const StateParts::Region& region : state_.regions)
         bytes += region.bytes;
-    makeRoom(bytes);
+    reserve(bytes);
     memoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT);
     size_t to = 0;
     for (const StateParts::Region& region : state_.regions) {

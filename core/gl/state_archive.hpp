@@ -120,10 +120,10 @@ class StateCapture {
     /// must wait for it.
     void assemble(std::vector<std::byte>& bytes, std::vector<StatePart>& parts) const;
 
-    size_t bytes() const { return room_ + memory_.capacity(); } ///< memory of the copy
+    size_t bytes() const { return capacity_ + memory_.capacity(); } ///< memory of the copy
 
   private:
-    void makeRoom(size_t bytes);
+    void reserve(size_t bytes);
     void copyMemory();
     void copyBuffers();
     void forget();
@@ -132,7 +132,7 @@ class StateCapture {
     static void destroy(GLuint name) { glDeleteBuffers(1, &name); }
     Handle<destroy> copy_;
     const void* mapped_ = nullptr;
-    size_t room_ = 0;
+    size_t capacity_ = 0;
     std::vector<std::byte> memory_;     ///< copy of the parts in memory
     const std::byte* copied_ = nullptr; ///< either copy
     GLsync fence_ = nullptr;

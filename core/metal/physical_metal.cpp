@@ -112,7 +112,7 @@ void PhysicalMetal::make() {
     heat_ = std::make_unique<HeatSolver>(shaders_, *state_, setup_.material, setup_.heat);
     flow_ = std::make_unique<Flow>(shaders_, *state_, fluidOf(setup_), setup_.space);
     fragments_ = std::make_unique<RigidFragments>(shaders_, *state_, setup_.fragments);
-    room_ = state_->capacity();
+    capacity_ = state_->capacity();
 }
 
 /// Grows the state first: if the driver has no memory for the others, only the state has spare capacity.
@@ -121,15 +121,15 @@ void PhysicalMetal::setCapacity(size_t capacity) {
     heat_->onCapacityChanged();
     flow_->onCapacityChanged();
     fragments_->onCapacityChanged();
-    room_ = capacity;
+    capacity_ = capacity;
 }
 
 /// Reserves more than asked for, so that growth is rare.
 void PhysicalMetal::reserve(size_t particles) {
     constexpr size_t kLeast = 2048, kShare = 16;
-    if (particles <= room_ || !grows_) return;
+    if (particles <= capacity_ || !grows_) return;
     const size_t capacity = std::min(particles + std::max(kLeast, particles / kShare), setup_.mostParticles);
-    if (capacity <= room_) return;
+    if (capacity <= capacity_) return;
     try {
         setCapacity(capacity);
     } catch (const RuntimeFault&) {
@@ -156,9 +156,9 @@ void PhysicalMetal::begin() {
 }
 
 void PhysicalMetal::transfer(gl::StateArchive& archive) {
-    size_t room = room_;
-    archive.count(room, setup_.mostParticles);
-    if (archive.restores() && room != room_) setCapacity(room);
+    size_t capacity = capacity_;
+    archive.count(capacity, setup_.mostParticles);
+    if (archive.restores() && capacity != capacity_) setCapacity(capacity);
     archive.values(timeStep_);
     archive.count(refused_, std::numeric_limits<size_t>::max());
     state_->transfer(archive);
@@ -191,7 +191,7 @@ void PhysicalMetal::addFiller(std::span<const MetalSeed> filler) {
     for (MetalSeed seed : filler)
         if (fliesIn(seed, setup_.space)) accepted_.push_back(seed);
     reserve(state_->particles() + accepted_.size());
-    accepted_.resize(std::min(accepted_.size(), room_ - state_->particles()));
+    accepted_.resize(std::min(accepted_.size(), capacity_ - state_->particles()));
     state_->add(accepted_);
     refused_ += filler.size() - accepted_.size();
 }

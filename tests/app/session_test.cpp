@@ -284,7 +284,7 @@ TEST_CASE("an attempt for score starts where the machine keeps up, and else says
     }
 }
 
-TEST_CASE("a standing plate stands in the picture, and the torch is led in the room", "[app]") {
+TEST_CASE("an upright plate is in the picture, and the torch is led in the room", "[app]") {
     Lesson lesson;
     lesson.model = LessonModel::Weld;
     lesson.workpiece.lengthMm = 30;

@@ -144,7 +144,7 @@ void Flow::onCapacityChanged() {
     block_.capacity = static_cast<int>(capacity);
     blockChanged_ = true;
     moveLists(before);
-    room_.setSlots(capacity);
+    capacity_.setSlots(capacity);
 }
 
 /// Moves the fragments' list to the new end of the slots, see flow/common.glsl. Between two steps only the lists of
@@ -179,12 +179,12 @@ void Flow::reset() {
 
 /// `waits`: reads the present use, instead of that of some steps ago.
 void Flow::growLists(bool waits) {
-    if (known_ == 0) room_.start(state_, block_);
-    if (waits) room_.readNow(state_.particles(), counters_);
-    room_.update(state_.particles(), counters_);
-    if (!FlowTables::fits(room_, block_)) {
+    if (known_ == 0) capacity_.start(state_, block_);
+    if (waits) capacity_.readNow(state_.particles(), counters_);
+    capacity_.update(state_.particles(), counters_);
+    if (!FlowTables::fits(capacity_, block_)) {
         blockChanged_ = true;
-        tables_.fit(room_, block_);
+        tables_.fit(capacity_, block_);
     }
     bind();
 }
@@ -243,7 +243,7 @@ void Flow::step(double seconds, unsigned substeps, gl::Profiler* profiler) {
         if (done == 0) updateGroups(profiler);
         substep(profiler);
     }
-    room_.request(state_.particles(), counters_);
+    capacity_.request(state_.particles(), counters_);
 }
 
 void Flow::updateGroups(gl::Profiler* profiler) {

@@ -86,7 +86,7 @@ class Flow {
     const gl::Program& density_;
     const gl::Program& move_;
     const gl::Program& xorOutDerived_;
-    FlowCapacity room_;
+    FlowCapacity capacity_;
     FlowTables tables_;
     gl::Buffer blockBuffer_, particles_, cells_, nextInCell_, lists_, counters_, changed_, wallSums_;
     gl::BufferView positionTexels_, particleTexels_, cellTexels_;

@@ -7,8 +7,8 @@ namespace meltpool {
 
 /// Restores the old sizes of lists and pages: the places of their parts follow from them.
 void Flow::takeSavedRoom() {
-    if (static_cast<size_t>(block_.capacity) != state_.capacity() || block_.rowCapacity > room_.rows() ||
-        block_.wallPageCapacity > 1 + room_.wallPages() || block_.movingPageCapacity > 1 + block_.cellCount)
+    if (static_cast<size_t>(block_.capacity) != state_.capacity() || block_.rowCapacity > capacity_.rows() ||
+        block_.wallPageCapacity > 1 + capacity_.wallPages() || block_.movingPageCapacity > 1 + block_.cellCount)
         throw InputError("the saved state has other list sizes of the flow than this lesson; expected one of this "
                          "lesson, saved by this "
                          "program");
@@ -19,7 +19,7 @@ void Flow::transfer(gl::StateArchive& archive) {
     const size_t capacity = state_.capacity();
     archive.values(block_, regroupings_);
     archive.count(known_, capacity);
-    room_.transfer(archive);
+    capacity_.transfer(archive);
     if (archive.restores()) takeSavedRoom();
     archive.rows(particles_, state_.particles(), sizeof(FlowParticle));
     for (const gl::Buffer* buffer : {&cells_, &lists_, &counters_, &changed_})
@@ -29,7 +29,7 @@ void Flow::transfer(gl::StateArchive& archive) {
     tables_.transfer(archive, block_);
     if (!archive.restores()) return;
     blockChanged_ = true;
-    if (known_ > 0) room_.readNow(state_.particles(), counters_);
+    if (known_ > 0) capacity_.readNow(state_.particles(), counters_);
 }
 
 void Flow::xorOutDerivedState() {

@@ -60,8 +60,8 @@ gl::Texture paintWorkshop(gl::ShaderLibrary& shaders, int size) {
     return light;
 }
 
-void paintRoom(gl::ShaderLibrary& shaders, const gl::Texture& room) {
-    const int size = room.shape().width;
+void paintMap(gl::ShaderLibrary& shaders, const gl::Texture& map) {
+    const int size = map.shape().width;
     glBindSampler(SHARP_UNIT, 0); // the sampler of another environment may be bound there; it would hide the levels
     const gl::Texture light = paintWorkshop(shaders, size);
     const gl::Program& roughen = shaders.load({kRoughen.begin(), kRoughen.end()});
@@ -69,7 +69,7 @@ void paintRoom(gl::ShaderLibrary& shaders, const gl::Texture& room) {
     roughen.set("sourceSize", static_cast<float>(size));
     for (int level = 0; level < ENVIRONMENT_LEVELS; ++level) {
         roughen.set("roughness", std::pow(static_cast<float>(level) / (ENVIRONMENT_LEVELS - 1), 1.5f));
-        paintFaces(roughen, room, level);
+        paintFaces(roughen, map, level);
     }
 }
 
@@ -98,39 +98,39 @@ std::uint64_t keyOf(const gl::ShaderLibrary& shaders, int size) {
     return key;
 }
 
-std::vector<std::byte> readRoom(const gl::Texture& room) {
-    const int size = room.shape().width;
+std::vector<std::byte> readMap(const gl::Texture& map) {
+    const int size = map.shape().width;
     std::vector<std::byte> bytes(roomBytes(size));
     size_t at = 0;
     for (int level = 0; level < ENVIRONMENT_LEVELS; at += levelBytes(size, level++))
-        glGetTextureImage(room.name(), level, GL_RGBA, GL_UNSIGNED_INT_2_10_10_10_REV,
+        glGetTextureImage(map.name(), level, GL_RGBA, GL_UNSIGNED_INT_2_10_10_10_REV,
                           static_cast<GLsizei>(levelBytes(size, level)), bytes.data() + at);
     return bytes;
 }
 
-void writeRoom(const gl::Texture& room, std::span<const std::byte> bytes) {
-    const int size = room.shape().width;
+void writeMap(const gl::Texture& map, std::span<const std::byte> bytes) {
+    const int size = map.shape().width;
     size_t at = 0;
     for (int level = 0; level < ENVIRONMENT_LEVELS; at += levelBytes(size, level++))
-        glTextureSubImage3D(room.name(), level, 0, 0, 0, size >> level, size >> level, kFaces, GL_RGBA,
+        glTextureSubImage3D(map.name(), level, 0, 0, 0, size >> level, size >> level, kFaces, GL_RGBA,
                             GL_UNSIGNED_INT_2_10_10_10_REV, bytes.data() + at);
 }
 
 } // namespace
 
 Environment::Environment(gl::ShaderLibrary& shaders, const std::filesystem::path& kept, int faceSize)
-    : room_(makeCube("environment", GL_RGB10_A2, faceSize, ENVIRONMENT_LEVELS)) {
+    : map_(makeCube("environment", GL_RGB10_A2, faceSize, ENVIRONMENT_LEVELS)) {
     glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
     if (kept.empty()) {
-        paintRoom(shaders, room_);
+        paintMap(shaders, map_);
     } else {
         const std::uint64_t key = keyOf(shaders, faceSize);
         const std::filesystem::path file = kept / "workshop.bin";
         if (const auto picture = keptPicture(file, key, roomBytes(faceSize))) {
-            writeRoom(room_, *picture);
+            writeMap(map_, *picture);
         } else {
-            paintRoom(shaders, room_);
-            keepPicture(file, key, readRoom(room_));
+            paintMap(shaders, map_);
+            keepPicture(file, key, readMap(map_));
         }
     }
     GLuint sampler = 0;
@@ -141,8 +141,8 @@ Environment::Environment(gl::ShaderLibrary& shaders, const std::filesystem::path
 }
 
 void Environment::bind() const {
-    room_.bind(SHARP_UNIT);
-    room_.bind(ROUGH_UNIT);
+    map_.bind(SHARP_UNIT);
+    map_.bind(ROUGH_UNIT);
     glBindSampler(SHARP_UNIT, levelZero_.name());
 }
 

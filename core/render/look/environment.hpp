@@ -18,12 +18,12 @@ class Environment {
     /// Binds the environment to SHARP_UNIT and ROUGH_UNIT, encoded as shaders/render/environment.glsl reads it.
     void bind() const;
 
-    const gl::Texture& texture() const { return room_; }
+    const gl::Texture& texture() const { return map_; }
 
   private:
     static void destroySampler(GLuint name) { glDeleteSamplers(1, &name); }
 
-    gl::Texture room_;
+    gl::Texture map_;
     gl::Handle<destroySampler> levelZero_;
 };
 

@@ -9,17 +9,17 @@
 namespace meltpool {
 
 void FrameRing::write(size_t at, const char* bytes, size_t count) {
-    const size_t begin = at % room_.size();
-    const size_t first = std::min(count, room_.size() - begin);
-    std::memcpy(room_.data() + begin, bytes, first);
-    if (count > first) std::memcpy(room_.data(), bytes + first, count - first);
+    const size_t begin = at % ring_.size();
+    const size_t first = std::min(count, ring_.size() - begin);
+    std::memcpy(ring_.data() + begin, bytes, first);
+    if (count > first) std::memcpy(ring_.data(), bytes + first, count - first);
 }
 
 void FrameRing::read(size_t at, char* bytes, size_t count) const {
-    const size_t begin = at % room_.size();
-    const size_t first = std::min(count, room_.size() - begin);
-    std::memcpy(bytes, room_.data() + begin, first);
-    if (count > first) std::memcpy(bytes + first, room_.data(), count - first);
+    const size_t begin = at % ring_.size();
+    const size_t first = std::min(count, ring_.size() - begin);
+    std::memcpy(bytes, ring_.data() + begin, first);
+    if (count > first) std::memcpy(bytes + first, ring_.data(), count - first);
 }
 
 bool FrameRing::put(std::uint32_t kind, std::initializer_list<std::string_view> parts) {
@@ -27,7 +27,7 @@ bool FrameRing::put(std::uint32_t kind, std::initializer_list<std::string_view> 
     for (const std::string_view part : parts)
         length += part.size();
     size_t at = put_.load(std::memory_order_relaxed);
-    if (kHeadBytes + length > room_.size() - (at - taken_.load(std::memory_order_acquire))) return false;
+    if (kHeadBytes + length > ring_.size() - (at - taken_.load(std::memory_order_acquire))) return false;
     std::array<char, kHeadBytes> head{};
     ByteWriter writer(head.data());
     writer.u32(kind);

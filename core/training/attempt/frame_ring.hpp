@@ -14,7 +14,7 @@ namespace meltpool {
 /// allocates nor calls the system.
 class FrameRing {
   public:
-    explicit FrameRing(size_t bytes) : room_(bytes) {}
+    explicit FrameRing(size_t bytes) : ring_(bytes) {}
 
     /// Puts a frame of this kind; its content is all parts in order. False if the ring has no room for it.
     bool put(std::uint32_t kind, std::initializer_list<std::string_view> parts);
@@ -27,7 +27,7 @@ class FrameRing {
     void write(size_t at, const char* bytes, size_t count);
     void read(size_t at, char* bytes, size_t count) const;
 
-    std::vector<char> room_;
+    std::vector<char> ring_;
     std::atomic<size_t> put_{0};   ///< bytes ever put
     std::atomic<size_t> taken_{0}; ///< bytes ever taken
 };

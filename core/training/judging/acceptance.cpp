@@ -36,7 +36,7 @@ Choice choiceOf(TomlTable& table, std::string_view key,
 
 std::string readName(TomlTable& table) {
     const std::string name = table.text("imperfection");
-    if (findImperfection(name) != nullptr) return name;
+    if (const WeldFigure* known = findImperfection(name)) return std::string(known->key);
     std::string known;
     for (const WeldFigure& each : imperfections())
         known += (known.empty() ? "" : ", ") + std::string(each.key);

@@ -58,7 +58,8 @@ Expectation readExpectation(TomlTable& table, const std::string& key, const Less
         table.fail(key, "expected a lesson with a table [acceptance]");
     if (key == "scored" || key == "accepted") return {key, table.flag(key, true)};
     if (key == "lowest") return {key, readWord(table, key, judgedKeys(lesson))};
-    if (findImperfection(key)) return {key, readWord(table, key, kVerdictStates)};
+    if (const WeldFigure* imperfection = findImperfection(key))
+        return {std::string(imperfection->key), readWord(table, key, kVerdictStates)};
     const std::vector<std::string_view> judged = judgedKeys(lesson);
     const bool banded = std::find(judged.begin(), judged.end(), key) != judged.end();
     if (key == "score" || banded || findStationFigure(key)) return {key, readRange(table, key)};

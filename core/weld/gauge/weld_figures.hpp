@@ -13,7 +13,7 @@ struct NominalWeld {
     /// a, nominal throat, and the nominal leg of a fillet. One of them is enough: a = leg / sqrt(2). A butt's throat
     /// defaults to its plates' thickness.
     std::optional<double> throat, leg;
-    double platesOffset = 0; ///< offset of a butt's plates against each other, as the workpiece was set up
+    double linearMisalignment = 0; ///< offset of a butt's plates against each other, as the workpiece was set up
     double jointGap = 0;     ///< gap under a fillet, as the workpiece was set up
 
     std::optional<double> throatOf(WeldKind kind) const;
@@ -53,6 +53,7 @@ struct WeldFigure {
     /// A column of weld.csv and entry of `weld` in result.json ("toe_width_mm"), or an imperfection in acceptance files
     /// and results ("undercut").
     std::string_view key;
+    std::string_view formerKey = {}; ///< key of an imperfection in files of earlier versions; empty: it had no other
     std::string_view unit; ///< "mm", "mm2", "deg", "%", "s"; empty for a count
     int digits = 1;        ///< digits behind the decimal point, in panel and comparison
     /// Resolution of the particles, in spacings; of an area in mm2 per mm of spacing. 0: nothing limits it, or the
@@ -105,7 +106,7 @@ std::span<const WeldFigure> wholeWeldFigures();
 /// Returns the imperfections of acceptance files: lengths of missing or excess metal in mm, the toe angle in degrees
 /// outside the weld metal between plate and weld surface (ISO 5817: 180 less the edge angle).
 std::span<const WeldFigure> imperfections();
-/// Returns null for an unknown key.
+/// Takes former keys, too. Returns null for an unknown key.
 const WeldFigure* findImperfection(std::string_view key);
 /// Returns the name of an imperfection; for a key that the table lacks, such as one of a newer program's file, the key
 /// with blanks.

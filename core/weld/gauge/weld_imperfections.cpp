@@ -58,16 +58,16 @@ Judged toeAngle(const WeldStation& s, const NominalWeld&, WeldKind) {
     return ImperfectionValue{180 - *inside * 180 / std::numbers::pi, s.toeWidth.value_or(0) * kMmPerMetre};
 }
 
-Judged unequalLegs(const WeldStation& s, const NominalWeld&, WeldKind) {
+Judged excessiveAsymmetry(const WeldStation& s, const NominalWeld&, WeldKind) {
     return s.leg1 && s.leg2 ? inMm(std::abs(*s.leg1 - *s.leg2)) : std::nullopt;
 }
 
-Judged throatTooSmall(const WeldStation& s, const NominalWeld& nominal, WeldKind kind) {
+Judged insufficientThroat(const WeldStation& s, const NominalWeld& nominal, WeldKind kind) {
     const auto throat = nominal.throatOf(kind);
     return s.throat && throat ? inMm(*throat - *s.throat) : std::nullopt;
 }
 
-Judged throatTooBig(const WeldStation& s, const NominalWeld& nominal, WeldKind kind) {
+Judged excessiveThroat(const WeldStation& s, const NominalWeld& nominal, WeldKind kind) {
     const auto throat = nominal.throatOf(kind);
     return s.throat && throat ? inMm(*s.throat - *throat) : std::nullopt;
 }
@@ -129,12 +129,14 @@ constexpr std::array kImperfections = withTheirWords(std::array{
                .resolution = kTwoPlaces,
                .standard = {"506", "overlap"},
                .judged = worseSide<&WeldStation::overlap1, &WeldStation::overlap2>},
-    WeldFigure{.key = "unequal_legs",
+    WeldFigure{.key = "excessive_asymmetry",
+               .formerKey = "unequal_legs",
                .unit = "mm",
                .resolution = kResolvedSpacings,
                .standard = {"512", "excessive asymmetry of fillet weld"},
-               .judged = unequalLegs},
-    WeldFigure{.key = "not_filled_up",
+               .judged = excessiveAsymmetry},
+    WeldFigure{.key = "incompletely_filled_groove",
+               .formerKey = "not_filled_up",
                .unit = "mm",
                .resolution = kResolvedSpacings,
                .standard = {"511", "incompletely filled groove"},
@@ -144,21 +146,24 @@ constexpr std::array kImperfections = withTheirWords(std::array{
                .resolution = kResolvedSpacings,
                .standard = {"515", "root concavity"},
                .judged = measured<&WeldStation::rootConcavity>},
-    WeldFigure{.key = "throat_too_small",
+    WeldFigure{.key = "insufficient_throat",
+               .formerKey = "throat_too_small",
                .unit = "mm",
                .resolution = kResolvedSpacings,
                .standard = {"5213", "insufficient throat thickness"},
-               .judged = throatTooSmall},
-    WeldFigure{.key = "throat_too_big",
+               .judged = insufficientThroat},
+    WeldFigure{.key = "excessive_throat",
+               .formerKey = "throat_too_big",
                .unit = "mm",
                .resolution = kResolvedSpacings,
                .standard = {"5214", "excessive throat thickness"},
-               .judged = throatTooBig},
+               .judged = excessiveThroat},
     WeldFigure{.key = "leg_too_small", .unit = "mm", .resolution = kResolvedSpacings, .judged = legTooSmall},
-    WeldFigure{.key = "plates_offset",
+    WeldFigure{.key = "linear_misalignment",
+               .formerKey = "plates_offset",
                .unit = "mm",
                .standard = {"507", "linear misalignment"},
-               .judged = setUp<&NominalWeld::platesOffset>},
+               .judged = setUp<&NominalWeld::linearMisalignment>},
     WeldFigure{.key = "joint_gap",
                .unit = "mm",
                .standard = {"617", "incorrect root gap for fillet welds"},
@@ -190,7 +195,10 @@ std::span<const WeldFigure> imperfections() {
 }
 
 const WeldFigure* findImperfection(std::string_view key) {
-    return findByKey(kImperfections, key);
+    if (const WeldFigure* known = findByKey(kImperfections, key)) return known;
+    for (const WeldFigure& each : kImperfections)
+        if (!key.empty() && each.formerKey == key) return &each;
+    return nullptr;
 }
 
 std::string imperfectionName(std::string_view key) {

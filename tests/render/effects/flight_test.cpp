@@ -22,7 +22,7 @@ TEST_CASE("a drop flies as Newton's law says, whatever the direction of gravity"
     CHECK(flight.at(0) == flight.from);
 }
 
-TEST_CASE("a drop lands on the plate, beside it on the table, and against a standing plate", "[effects]") {
+TEST_CASE("a drop lands on the plate, beside it on the table, and against an upright plate", "[effects]") {
     const std::array<WorkpieceBlock, 2> tee{
         WorkpieceBlock{{-0.05F, -0.006F, -0.025F}, {0.05F, 0, 0.025F}}, // base plate
         WorkpieceBlock{{-0.05F, 0, -0.006F}, {0.05F, 0.025F, -1e-4F}}}; // upright plate behind

@@ -56,8 +56,8 @@ TEST_CASE("ISO 5817: limits are the table's formulas", "[acceptance]") {
     const std::vector<Row> rows{{"undercut", fillet, 1, 0.5, 0.3},      {"excess_weld_metal", butt, 3, 2.2, 1.8},
                                 {"convexity", fillet, 3, 2.2, 1.8},     {"excess_penetration", butt, 5, 4, 2.6},
                                 {"toe_angle", butt, 90, 110, 150},      {"toe_angle", fillet, 90, 100, 110},
-                                {"overlap", fillet, 1.6, 0, 0},         {"unequal_legs", fillet, 2.8, 2.6, 2.1},
-                                {"plates_offset", butt, 1.5, 0.9, 0.6}, {"joint_gap", fillet, 2.2, 1.3, 0.9},
+                                {"overlap", fillet, 1.6, 0, 0},         {"excessive_asymmetry", fillet, 2.8, 2.6, 2.1},
+                                {"linear_misalignment", butt, 1.5, 0.9, 0.6}, {"joint_gap", fillet, 2.2, 1.3, 0.9},
                                 {"surface_pore", fillet, 1.2, 0.8, 0},  {"crack", fillet, 0, 0, 0},
                                 {"lack_of_fusion", butt, 0, 0, 0},      {"burn_through", WeldKind::bead, 0, 0, 0}};
     const Acceptance d = shipped("iso5817-d"), c = shipped("iso5817-c"), b = shipped("iso5817-b");
@@ -67,10 +67,10 @@ TEST_CASE("ISO 5817: limits are the table's formulas", "[acceptance]") {
         CHECK(limitOf(c, row.imperfection, row.kind) == Approx(row.c));
         CHECK(limitOf(b, row.imperfection, row.kind) == Approx(row.b));
     }
-    CHECK(limitOf(c, "throat_too_big", fillet) == Approx(1.8));
-    CHECK(limitOf(b, "throat_too_big", fillet) == Approx(1.6));
+    CHECK(limitOf(c, "excessive_throat", fillet) == Approx(1.8));
+    CHECK(limitOf(b, "excessive_throat", fillet) == Approx(1.6));
     for (const AcceptanceItem& item : d.items)
-        CHECK(item.imperfection != "throat_too_big"); // level D allows it
+        CHECK(item.imperfection != "excessive_throat"); // level D allows it
     CHECK(itemOf(c, "toe_angle", fillet).kind == LimitKind::atLeast);
     CHECK(itemOf(c, "crack", fillet).kind == LimitKind::notPermitted);
     for (const Acceptance* each : {&d, &c, &b}) {
@@ -92,7 +92,7 @@ TEST_CASE("ISO 5817: limits have their caps, and thin plates their own", "[accep
     CHECK(limitOf(b, "excess_weld_metal", butt, large) == 5);
     CHECK(limitOf(d, "undercut", butt, large) == 1);
     CHECK(limitOf(c, "undercut", butt, large) == 0.5);
-    CHECK(limitOf(c, "plates_offset", butt, large) == 4);
+    CHECK(limitOf(c, "linear_misalignment", butt, large) == 4);
     CHECK(limitOf(c, "joint_gap", fillet, large) == 3);
     CHECK(limitOf(d, "excess_penetration", butt, thin) == Approx(5.8));
     CHECK(limitOf(c, "excess_penetration", butt, thin) == Approx(3.4));
@@ -108,15 +108,15 @@ TEST_CASE("ISO 5817: what only short imperfections may be", "[acceptance]") {
     const auto fillet = WeldKind::fillet, butt = WeldKind::butt;
     CHECK(shortLimit(d, "root_penetration_missing", butt) == Approx(1.2));
     CHECK_FALSE(itemOf(c, "root_penetration_missing", butt).shortOnes);
-    CHECK(shortLimit(d, "not_filled_up", butt) == Approx(1.5));
-    CHECK(shortLimit(c, "not_filled_up", butt) == Approx(0.6));
-    CHECK(shortLimit(b, "not_filled_up", butt) == Approx(0.3));
+    CHECK(shortLimit(d, "incompletely_filled_groove", butt) == Approx(1.5));
+    CHECK(shortLimit(c, "incompletely_filled_groove", butt) == Approx(0.6));
+    CHECK(shortLimit(b, "incompletely_filled_groove", butt) == Approx(0.3));
     CHECK(shortLimit(d, "root_concavity", butt) == Approx(1.2));
     CHECK(shortLimit(b, "root_concavity", butt) == Approx(0.3));
-    CHECK(shortLimit(d, "throat_too_small", fillet) == Approx(0.7));
-    CHECK(shortLimit(c, "throat_too_small", fillet, {8, 10, 12, 14}) == 1); // maximum of the allowance
-    CHECK_FALSE(itemOf(b, "throat_too_small", fillet).shortOnes);
-    const ShortAllowance allowance = *itemOf(c, "throat_too_small", fillet).shortOnes;
+    CHECK(shortLimit(d, "insufficient_throat", fillet) == Approx(0.7));
+    CHECK(shortLimit(c, "insufficient_throat", fillet, {8, 10, 12, 14}) == 1); // maximum of the allowance
+    CHECK_FALSE(itemOf(b, "insufficient_throat", fillet).shortOnes);
+    const ShortAllowance allowance = *itemOf(c, "insufficient_throat", fillet).shortOnes;
     CHECK(allowance.per == 100);
     CHECK(allowance.allowed(300) == 25);
     CHECK(allowance.allowed(100) == 25);

@@ -131,11 +131,11 @@ TEST_CASE("each imperfection alone fails its own item", "[verdict]") {
         {fillet, "toe_angle", [](WeldStation& s) { s.edgeAngle1 = 97 * kDegree; }},
         {butt, "toe_angle", [](WeldStation& s) { s.edgeAngle2 = 87 * kDegree; }},
         {fillet, "overlap", [](WeldStation& s) { s.overlap1 = 0.6 * kMm; }},
-        {fillet, "unequal_legs", [](WeldStation& s) { s.leg1 = 8.5 * kMm; }},
-        {butt, "not_filled_up", [](WeldStation& s) { s.underfill = 0.7 * kMm; }},
+        {fillet, "excessive_asymmetry", [](WeldStation& s) { s.leg1 = 8.5 * kMm; }},
+        {butt, "incompletely_filled_groove", [](WeldStation& s) { s.underfill = 0.7 * kMm; }},
         {butt, "root_concavity", [](WeldStation& s) { s.rootConcavity = 0.7 * kMm; }},
-        {fillet, "throat_too_small", [](WeldStation& s) { s.throat = 3 * kMm; }},
-        {fillet, "throat_too_big", [](WeldStation& s) { s.throat = 6 * kMm; }}};
+        {fillet, "insufficient_throat", [](WeldStation& s) { s.throat = 3 * kMm; }},
+        {fillet, "excessive_throat", [](WeldStation& s) { s.throat = 6 * kMm; }}};
     const Acceptance c = shipped("iso5817-c");
     for (const Fault& fault : faults) {
         INFO(nameOf(fault.kind) << ": " << fault.item);
@@ -194,24 +194,24 @@ TEST_CASE("short imperfections have their allowance", "[verdict]") {
     const auto fillet = WeldKind::fillet;
     const auto thin = [](WeldStation& s) { s.throat = 3.4 * kMm; }; // 0.6 mm too small, of 0.7 mm for short ones
     // 12 stations are 24 mm in 100 mm, 13 are 26.
-    CHECK(stateOf(weldOf(fillet, thin, 10, 21), c, "throat_too_small") == VerdictState::pass);
-    CHECK(stateOf(weldOf(fillet, thin, 10, 22), c, "throat_too_small") == VerdictState::fail);
+    CHECK(stateOf(weldOf(fillet, thin, 10, 21), c, "insufficient_throat") == VerdictState::pass);
+    CHECK(stateOf(weldOf(fillet, thin, 10, 22), c, "insufficient_throat") == VerdictState::fail);
     const Verdict within = judge(weldOf(fillet, thin, 10, 21), c, nominal(fillet));
-    CHECK(*itemOf(within, "throat_too_small").limit == Approx(0.7));
+    CHECK(*itemOf(within, "insufficient_throat").limit == Approx(0.7));
     const auto thinner = [](WeldStation& s) { s.throat = 3.2 * kMm; };
-    CHECK(stateOf(weldOf(fillet, thinner, 10, 10), c, "throat_too_small") == VerdictState::fail);
+    CHECK(stateOf(weldOf(fillet, thinner, 10, 10), c, "insufficient_throat") == VerdictState::fail);
     // The limit is a quarter of a shorter weld: 40 mm, so 10 mm.
     const auto shorter = [&](int last) {
         WeldMeasures weld = weldOf(fillet, thin, 0, last);
         weld.stations.resize(20);
         return summarise(weld.stations, fillet, weld.pitch, kSpacing);
     };
-    CHECK(stateOf(shorter(4), c, "throat_too_small") == VerdictState::pass);
-    CHECK(stateOf(shorter(5), c, "throat_too_small") == VerdictState::fail);
+    CHECK(stateOf(shorter(4), c, "insufficient_throat") == VerdictState::pass);
+    CHECK(stateOf(shorter(5), c, "insufficient_throat") == VerdictState::fail);
     // The throat is slightly below nominal over the whole length: within the allowance's limit, but perhaps too long.
     const auto hardly = [](WeldStation& s) { s.throat = 3.9 * kMm; };
-    CHECK(stateOf(weldOf(fillet, hardly), c, "throat_too_small") == VerdictState::notResolved);
-    CHECK(stateOf(weldOf(fillet, hardly, 0, 9), c, "throat_too_small") == VerdictState::pass);
+    CHECK(stateOf(weldOf(fillet, hardly), c, "insufficient_throat") == VerdictState::notResolved);
+    CHECK(stateOf(weldOf(fillet, hardly, 0, 9), c, "insufficient_throat") == VerdictState::pass);
     // AWS D1.1 permits undercut to 2 mm over 50 mm in any 300.
     const auto deep = [](WeldStation& s) { s.undercut1 = 1.5 * kMm; };
     CHECK(stateOf(weldOf(fillet, deep, 0, 24), shipped("aws-d1-1-static"), "undercut") == VerdictState::pass);
@@ -232,8 +232,8 @@ TEST_CASE("limits grow with the width at their station, and with nominal sizes t
     NominalWeld unknown;
     unknown.thickness = 6 * kMm;
     const Verdict verdict = judge(weldOf(fillet), c, unknown);
-    CHECK(itemOf(verdict, "throat_too_big").state == VerdictState::notResolved);
-    CHECK_FALSE(itemOf(verdict, "throat_too_big").value);
+    CHECK(itemOf(verdict, "excessive_throat").state == VerdictState::notResolved);
+    CHECK_FALSE(itemOf(verdict, "excessive_throat").value);
     CHECK(verdict.accepted);
     NominalWeld leg;
     leg.leg = 5 * kMm;

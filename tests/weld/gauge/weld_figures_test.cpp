@@ -78,8 +78,12 @@ TEST_CASE("every imperfection has one row with a name", "[figures]") {
         CHECK_FALSE(each.isMeasured()); // imperfections inside the metal are not measured
         CHECK(findImperfection(each.estimate) != nullptr);
     }
-    CHECK(imperfectionName("not_filled_up") == "incompletely filled groove");
+    CHECK(imperfectionName("incompletely_filled_groove") == "incompletely filled groove");
     CHECK(imperfectionName("of_a_newer_program") == "of a newer program");
+    // Files of earlier versions have other keys.
+    CHECK(findImperfection("throat_too_small") == findImperfection("insufficient_throat"));
+    CHECK(imperfectionName("plates_offset") == "linear misalignment");
+    CHECK(findImperfection("") == nullptr);
 }
 
 TEST_CASE("an imperfection is the worse side in millimetres, with the width of its limit", "[figures]") {
@@ -87,15 +91,15 @@ TEST_CASE("an imperfection is the worse side in millimetres, with the width of i
     CHECK(judged("undercut")->value == Approx(0.3)); // the other side has no undercut
     CHECK(judged("undercut")->width == Approx(7));
     CHECK(judged("toe_angle")->value == Approx(180 - 2 * 57.29578));
-    CHECK(judged("unequal_legs")->value == Approx(1.5));
+    CHECK(judged("excessive_asymmetry")->value == Approx(1.5));
     CHECK_FALSE(judged("burn_through"));
-    CHECK_FALSE(judged("throat_too_small")); // no nominal throat
+    CHECK_FALSE(judged("insufficient_throat")); // no nominal throat
     NominalWeld nominal;
     nominal.throat = 4e-3;
-    nominal.platesOffset = 0.5e-3;
-    CHECK(judged("throat_too_small", nominal)->value == Approx(0.5));
-    CHECK(judged("throat_too_big", nominal)->value == Approx(-0.5));
-    CHECK(judged("plates_offset", nominal)->value == Approx(0.5));
+    nominal.linearMisalignment = 0.5e-3;
+    CHECK(judged("insufficient_throat", nominal)->value == Approx(0.5));
+    CHECK(judged("excessive_throat", nominal)->value == Approx(-0.5));
+    CHECK(judged("linear_misalignment", nominal)->value == Approx(0.5));
     CHECK(findImperfection("crack")->judged == nullptr);
 }
 

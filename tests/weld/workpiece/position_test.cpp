@@ -153,7 +153,7 @@ TEST_CASE("the table lies under the workpiece in every position, with room to fa
     }
 }
 
-TEST_CASE("a pool on a standing plate runs down, along the seam or across it", "[position]") {
+TEST_CASE("a pool on an upright plate runs down, along the seam or across it", "[position]") {
     test::context();
     for (const WeldPosition position : {WeldPosition::g1, WeldPosition::g2, WeldPosition::g3}) {
         INFO(positionNames()[static_cast<size_t>(position)]);

@@ -7,9 +7,9 @@ namespace meltpool {
 
 void SoundTrack::add(const SoundStep& step) {
     sound_.begin(step);
-    room_.resize(sound_.left());
-    sound_.read(room_);
-    for (const float sample : room_)
+    floats_.resize(sound_.left());
+    sound_.read(floats_);
+    for (const float sample : floats_)
         samples_.push_back(pcm16(sample));
 }
 

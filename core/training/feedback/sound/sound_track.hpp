@@ -20,7 +20,7 @@ class SoundTrack {
 
   private:
     Sound sound_;
-    std::vector<float> room_;
+    std::vector<float> floats_;
     std::vector<std::int16_t> samples_;
 };
 
