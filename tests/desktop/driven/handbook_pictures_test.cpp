@@ -5,8 +5,11 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/mat2x2.hpp>
+#include <glm/matrix.hpp>
+
 #include <cstdlib>
 
 namespace meltpool::test {
@@ -15,8 +18,6 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 namespace {
-
-constexpr double kPixelsPerMm = 5; // of the hand's first guess; a wrong one is corrected by the next move
 
 std::string settingsWith(const std::string& more) {
     return "[window]\nwidth = 1280\nheight = 720\npicture = \"full\"\n" + more;
@@ -50,6 +51,9 @@ class EvenHand {
     EvenHand(TrainerWindow& window, double mmPerSecond) : window_(window), speed_(mmPerSecond) {
         window_.key("c");
         window_.waitFor("a captured mouse", [](const json& s) { return s.at("captured") == true; });
+        const glm::dvec2 right = movedBy({kTrialPixels, 0}), down = movedBy({0, kTrialPixels});
+        pixelsPerMm_ = glm::inverse(glm::dmat2(right, down) / double(kTrialPixels));
+        movedBy({-kTrialPixels, -kTrialPixels});
         window_.xdotool({"mousedown", "1"});
         const json now = window_.waitFor("the arc", [](const json& s) { return s.at("torch").at("trigger") > 0.5; });
         from_ = placeOf(now);
@@ -59,9 +63,8 @@ class EvenHand {
     /// Welds until the metal's time is `seconds` after the first pull.
     void weld(double seconds) {
         for (json now = window_.settle(); timeOf(now) < seconds; now = window_.settle()) {
-            const double off = speed_ * timeOf(now) - (placeOf(now) - from_);
-            const int pixels = static_cast<int>(std::lround(std::clamp(off, -2.0, 2.0) * kPixelsPerMm));
-            if (pixels != 0) window_.xdotool({"mousemove_relative", "--", std::to_string(pixels), "0"});
+            const glm::dvec2 off = from_ + glm::dvec2(speed_ * timeOf(now), 0) - placeOf(now);
+            move(glm::ivec2(glm::round(pixelsPerMm_ * glm::clamp(off, -2.0, 2.0))));
         }
     }
 
@@ -73,11 +76,36 @@ class EvenHand {
     }
 
   private:
-    static double placeOf(const json& row) { return row.at("torch").at("tip_mm").at(0).get<double>(); }
+    static constexpr int kTrialPixels = 20;
+
+    /// Place along and across the seam, mm.
+    static glm::dvec2 placeOf(const json& row) {
+        const json tip = row.at("torch").at("tip_mm");
+        return {tip.at(0).get<double>(), tip.at(2).get<double>()};
+    }
     double timeOf(const json& row) const { return row.at("metal").at("time").get<double>() - begin_; }
 
+    void move(const glm::ivec2& pixels) {
+        if (pixels == glm::ivec2(0)) return;
+        window_.xdotool({"mousemove_relative", "--", std::to_string(pixels.x), std::to_string(pixels.y)});
+    }
+
+    /// Moves the mouse and returns the way of the torch, mm, once it rests: it follows as a hand does.
+    glm::dvec2 movedBy(const glm::ivec2& pixels) {
+        const glm::dvec2 before = placeOf(window_.settle());
+        move(pixels);
+        glm::dvec2 last = before, now = placeOf(window_.settle());
+        for (int row = 0; row < 100 && (now == before || glm::distance(now, last) > 0.01); ++row) {
+            last = now;
+            now = placeOf(window_.settle());
+        }
+        return now - before;
+    }
+
     TrainerWindow& window_;
-    double speed_, from_ = 0, begin_ = 0;
+    double speed_, begin_ = 0;
+    glm::dvec2 from_{};
+    glm::dmat2 pixelsPerMm_{1};
 };
 
 } // namespace
@@ -155,7 +183,7 @@ TEST_CASE("pictures of a weld: machine, cues, ghost, result, cut, replay and com
     window.click("home.attempts");
     window.click("home.attempt.0.compare");
     window.click("home.attempt.1.compare");
-    window.waitFor("the comparison", [](const json& s) { return s.at("places").contains("comparison.back"); });
+    window.waitFor("the comparison", [](const json& s) { return s.at("places").contains("comparison.words"); });
     keep(window, "comparison");
     window.click("comparison.back");
     window.click("home.attempt.1.play");

@@ -1,0 +1,74 @@
+// Takes pictures of both eyes at work: each process with its arc burning, seen by three persons and a left-handed one.
+// Not among the ordinary tests: somebody has to look at the pictures, where the pool must be free.
+//   MELTPOOL_XR_PICTURES=FOLDER tests/xr/run_on_monado.sh build/release/bin/test_xr_runtime "[sight-pictures]"
+#include "core/training/lesson/lesson.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/places.hpp"
+#include "tests/xr/trainee.hpp"
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <algorithm>
+#include <string>
+
+using namespace meltpool;
+using namespace meltpool::test;
+using nlohmann::json;
+
+namespace {
+
+struct Person {
+    const char* name;
+    float eyes; ///< height of the eyes over the floor, m
+    size_t hand;
+};
+
+/// Returns the torch's orientation along the path's axis, with the handle on the side of the person's hand.
+glm::quat heldAlong(const TorchSample& sample, size_t hand) {
+    const glm::vec3 back = -sample.axis(), aside(hand == 1 ? 0.75F : -0.75F, 0, 0.65F);
+    const glm::vec3 down = -glm::normalize(aside - back * glm::dot(aside, back));
+    return glm::quat_cast(glm::mat3(glm::cross(down, back), down, back));
+}
+
+/// Follows the expert's path in the metal's own time.
+void follow(Trainee& trainee, TrainerProcess& trainer, const TorchPath& path, double from, double to) {
+    const double begin = trainer.now()["metal"]["time"];
+    constexpr double kStride = 0.05;
+    for (double at = from; at < to; at += kStride) {
+        const TorchSample sample = path.sample(at);
+        trainee.held = heldAlong(sample, trainee.hand);
+        trainee.aim(sample.tip, sample.trigger);
+        REQUIRE(trainer.waitFor([&](const json& row) { return row["metal"]["time"] >= begin + at - from; }));
+    }
+}
+
+} // namespace
+
+TEST_CASE("pictures of both eyes at work, in each process, from three persons' heads", "[.][sight-pictures]") {
+    handGeometry();
+    const std::string name = GENERATE("gmaw-bead", "tee-fillet", "gtaw-track", "smaw-bead", "solder-joint");
+    const Person person = GENERATE(Person{"155", 1.44F, 1}, Person{"195", 1.83F, 1}, Person{"seated", 1.2F, 1},
+                                   Person{"left", 1.6F, 0});
+    const Lesson lesson = readLesson(test::sourceFolder() / "app" / "data" / "lessons" / (name + ".toml"));
+    Trainee trainee;
+    trainee.hand = person.hand;
+    trainee.bottom = makeWorkpiece(lesson.workpiece).low.y;
+    trainee.zoom = 1;
+    trainee.torch = torchGeometry(lesson.process);
+    trainee.tableTop = trainee.tableHeight = person.eyes - Workshop::kDrop;
+    trainee.state.head.position = {0, person.eyes, 0};
+    const double strike = lesson.torch.firstPull().value();
+    trainee.held = heldAlong(lesson.torch.sample(strike), person.hand);
+    trainee.aim({0.08F, 0.1F, 0.08F}, 0);
+    const std::string run = name + "-" + person.name;
+    TrainerProcess trainer(benchFolder() / run, {"--headset", "--lesson", name},
+                           person.hand == 0 ? "hand = \"left\"\n" : "");
+    REQUIRE(trainer.waitFor(ready));
+    trainee.state.head.position = {0, person.eyes - 0.05F, -0.03F};
+    trainee.state.head.orientation = glm::angleAxis(-0.8F, glm::vec3(1, 0, 0));
+    follow(trainee, trainer, lesson.torch, std::max(0.0, strike - 0.5), strike + 2.5);
+    WARN(run << ": " << trainer.now()["headset"].dump());
+    keepPicture(screenshot(), "sight-" + run + ".png");
+    CHECK(trainer.stop() == 0);
+}
