@@ -169,6 +169,7 @@ TEST_CASE("pictures of a weld: machine, cues, ghost, result, cut, replay and com
     window.click("bar.view");
     window.click("ghost.group.Ghost torch");
     window.click("ghost.ghost.expert");
+    window.click("ghost.ghost_pace.time");
     window.key("F2");
     {
         EvenHand hand(window, 9);
