@@ -1,6 +1,7 @@
 // Takes pictures of both eyes at work: each process with its arc burning, seen by three persons and a left-handed one.
 // Not among the ordinary tests: somebody has to look at the pictures, where the pool must be free.
-//   MELTPOOL_XR_PICTURES=FOLDER tests/xr/run_on_monado.sh build/release/bin/test_xr_runtime "[sight-pictures]"
+//   MELTPOOL_XR_SCREEN=2560x1440x24 XRT_COMPOSITOR_XCB_FULLSCREEN=1 MELTPOOL_XR_PICTURES=FOLDER tests/xr/run_on_monado.sh \
+//       build/release/bin/test_xr_runtime "[sight-pictures]"
 #include "core/training/lesson/lesson.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/places.hpp"
@@ -40,6 +41,11 @@ void follow(Trainee& trainee, TrainerProcess& trainer, const TorchPath& path, do
         trainee.held = heldAlong(sample, trainee.hand);
         trainee.aim(sample.tip, sample.trigger);
         REQUIRE(trainer.waitFor([&](const json& row) { return row["metal"]["time"] >= begin + at - from; }));
+        // A gap of the runtime puts the arc out.
+        if (trainer.now()["headset"]["trigger_locked"] == true)
+            REQUIRE(trainee.strike(trainer, sample.tip, [](const json& row) {
+                return row["headset"]["trigger_locked"] == false;
+            }));
     }
 }
 
@@ -47,7 +53,7 @@ void follow(Trainee& trainee, TrainerProcess& trainer, const TorchPath& path, do
 
 TEST_CASE("pictures of both eyes at work, in each process, from three persons' heads", "[.][sight-pictures]") {
     handGeometry();
-    const std::string name = GENERATE("gmaw-bead", "tee-fillet", "gtaw-track", "smaw-bead", "solder-joint");
+    const std::string name = GENERATE("gmaw-bead", "tee-fillet", "gtaw-bead", "smaw-bead", "solder-joint");
     const Person person = GENERATE(Person{"155", 1.44F, 1}, Person{"195", 1.83F, 1}, Person{"seated", 1.2F, 1},
                                    Person{"left", 1.6F, 0});
     const Lesson lesson = readLesson(test::sourceFolder() / "app" / "data" / "lessons" / (name + ".toml"));
@@ -63,7 +69,8 @@ TEST_CASE("pictures of both eyes at work, in each process, from three persons' h
     trainee.aim({0.08F, 0.1F, 0.08F}, 0);
     const std::string run = name + "-" + person.name;
     TrainerProcess trainer(benchFolder() / run, {"--headset", "--lesson", name},
-                           person.hand == 0 ? "hand = \"left\"\n" : "");
+                           std::string("resolution_scale = 1\nsamples = 2\n") +
+                               (person.hand == 0 ? "hand = \"left\"\n" : ""));
     REQUIRE(trainer.waitFor(ready));
     trainee.state.head.position = {0, person.eyes - 0.05F, -0.03F};
     trainee.state.head.orientation = glm::angleAxis(-0.8F, glm::vec3(1, 0, 0));

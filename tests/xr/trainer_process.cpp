@@ -18,6 +18,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Pictures with which a software driver keeps pace.
+const std::string kSmallPictures = "resolution_scale = 0.4\nsamples = 1\n";
+
 /// Returns the program's file and arguments, preceded by the launcher that tests/xr/run_on_monado.sh requests.
 std::vector<std::string> launched(const fs::path& program, const std::vector<std::string>& arguments) {
     std::vector<std::string> words;
@@ -64,7 +67,7 @@ TrainerProcess::TrainerProcess(fs::path folder, std::vector<std::string> argumen
     : folder_(std::move(folder)), rows_(folder_ / "window.jsonl") {
     fs::create_directories(folder_ / "meltpool");
     writeTextFileAtomically(folder_ / "meltpool" / "settings.toml",
-                            "[headset]\nresolution_scale = 0.4\nsamples = 1\n" + headset +
+                            "[headset]\n" + (headset.starts_with("resolution_scale") ? "" : kSmallPictures) + headset +
                                 "[window]\nwidth = 640\nheight = 480\n" + window);
     arguments.insert(arguments.end(), {"--telemetry", (folder_ / "window.jsonl").string()});
     pid_ = start(arguments, folder_, preload);

@@ -16,7 +16,8 @@ namespace meltpool::test {
 class TrainerProcess {
   public:
     /// Starts `meltpool ARGUMENTS --telemetry ...` with settings of its own (small pictures, so that a software driver
-    /// keeps pace). `headset`: further lines of its [headset] settings, `window`: of the [window]'s.
+    /// keeps pace). `headset`: further lines of its [headset] settings, or all of them if they begin with
+    /// resolution_scale; `window`: further lines of the [window]'s.
     /// `preload`: library that is loaded before it.
     TrainerProcess(std::filesystem::path folder, std::vector<std::string> arguments, const std::string& headset = {},
                    const std::string& preload = {}, const std::string& window = {});
