@@ -57,16 +57,16 @@ void NoticeText::addLine(std::string_view line) {
 
 void NoticeText::compose(const Messages& messages, const LessonFigures& figures, float zoom, std::string_view task) {
     length_ = 0;
-    // Slow metal has a line of its own, which no other warning displaces.
-    const auto warns = [](const Message& m) {
-        return m.topic == kDeskTopic || (m.kind == Message::Kind::warning && m.topic != kSlowTopic);
-    };
+    const auto warns = [](const Message& m) { return m.topic == kDeskTopic || m.kind == Message::Kind::warning; };
     auto left = static_cast<size_t>(std::count_if(messages.shown().begin(), messages.shown().end(), warns));
     for (const Message& message : messages.shown())
         if (warns(message) && left-- <= kMostWarnings) addLine(message.text);
-    if (!figures.slow.empty()) addLine(figures.slow);
     quietFrom_ = length_;
     if (quietFrom_ == 0 && !task.empty()) addLine(wholeSentences(task));
+    // Slow metal warns by a sentence with advice at first; its figure stays, where it covers no torch.
+    const auto isSlow = [](const Message& m) { return m.topic == kSlowTopic; };
+    if (!figures.slow.empty() && std::none_of(messages.shown().begin(), messages.shown().end(), isSlow))
+        addLine(figures.slow);
     if (!figures.caption.empty()) addLine(figures.caption);
     if (zoom == 1) return;
     std::array<char, 16> times{};

@@ -16,20 +16,21 @@ namespace meltpool {
 /// Builds the notice's text in each frame without allocating.
 class NoticeText {
   public:
-    /// Lines up the newest warnings and what the desk did, the warning of slow metal, the task (as many whole sentences
-    /// as fit, only without a warning), the caption of sounds, and the zoom unless it is 1.
+    /// Lines up the newest warnings and what the desk did; below them the task (as many whole sentences as fit, only
+    /// without a warning), the figure of slow metal unless a warning has it, the caption of sounds, and the zoom unless
+    /// it is 1.
     void compose(const Messages& messages, const LessonFigures& figures, float zoom, std::string_view task = {});
 
     /// Whole text, one message a line.
     std::string_view text() const { return {text_.data(), length_}; }
-    /// Part with the warnings; quiet() is the rest: caption and zoom.
+    /// Part with the warnings; quiet() is the rest.
     std::string_view warnings() const { return text().substr(0, quietFrom_); }
     std::string_view quiet() const { return text().substr(quietFrom_); }
 
   private:
     void addLine(std::string_view line);
 
-    std::array<char, 1280> text_{}; ///< room for three warnings, the speed and the zoom
+    std::array<char, 1280> text_{}; ///< room for three warnings, the task, the speed, a caption and the zoom
     size_t length_ = 0;
     size_t quietFrom_ = 0;
 };

@@ -144,6 +144,6 @@ TEST_CASE("an attempt in which the hand went unseen for a long frame under the a
     CHECK((welder.session.attempt().judged()->judgement.score->unknownMm > 0) == stalls);
     if (stalls)
         CHECK_THAT(welder.session.attempt().judged()->judgement.score->reason,
-                   test::containsText("1 sample of the torch was missing") &&
+                   test::containsText("too busy to see the torch at 1 moment") &&
                        test::containsText(" of 20 mm of the seam. From 5 % on"));
 }

@@ -70,7 +70,7 @@ class Rows {
 };
 
 bool toldSlow(const json& row) {
-    return row["headset"]["notice"].get<std::string>().find("computer too slow: ") != std::string::npos;
+    return row["headset"]["notice"].get<std::string>().find("too slow") != std::string::npos;
 }
 
 /// Returns true if a busy machine has no time for more: frames are few, each takes several steps all the same, and a
