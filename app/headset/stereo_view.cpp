@@ -113,6 +113,7 @@ void StereoView::draw(LessonSession& session, const SceneView& lesson, const Wor
     takeArc(session, scene, place.zoom);
     scene.modelToWorld = place.modelToWorkshop(kClassicUnit) * scene.modelToWorld;
     const bool demonstrated = session.leader() == TorchLeader::path;
+    hands_.laidAside = demonstrated; // two torches of one look could be taken for each other
     hands_.tools = demonstrated ? lesson.solids : lesson.solids.last(lesson.rodSolids);
     hands_.toolsToWorkshop = place.modelToWorkshop(kClassicUnit);
     LookParameters look = session.picture().look();

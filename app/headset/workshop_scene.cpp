@@ -94,6 +94,12 @@ void WorkshopScene::addProcessTorch(const HeadsetParameters& parameters, const H
     buildTorchFittings(fittings_, sample, *hands.process, around, glm::mat4(1.0f));
 }
 
+void WorkshopScene::addEmptyHand(const HandsView& hands) {
+    const glm::vec3 way = hands.tip.orientation * glm::vec3(0, 0, 1);
+    addGlovedHand(fittings_, gripOf(hands.holder.tracked(), way, hands.tip.position, kPlainTorch.handleWidth / 2),
+                  glm::mat4(1.0f));
+}
+
 void WorkshopScene::addRodHand(const HandsView& hands) {
     const xr::Pose& hold = hands.rod->hold;
     const glm::vec3 way = hold.orientation * glm::vec3(0, 0, 1), end = hold * glm::vec3(0, 0, -kRodReach);
@@ -125,7 +131,9 @@ std::span<const Solid> WorkshopScene::build(const HeadsetParameters& parameters,
         addRoom(parameters.tableHeight);
     else
         furnish(parameters, hands);
-    if (hands.torch) {
+    if (hands.torch && hands.laidAside) {
+        if (hands.process != nullptr) addEmptyHand(hands);
+    } else if (hands.torch) {
         if (hands.process == nullptr)
             addTorch(hands);
         else

@@ -15,6 +15,7 @@ namespace meltpool {
 /// Tools in the hands in this frame, in the workshop.
 struct HandsView {
     bool torch = false;
+    bool laidAside = false; ///< the hand holds no torch: another torch, of a demonstration or replay, welds
     xr::Pose tip;
     HandPose holder;                       ///< hand that holds the torch
     float heat = 0;                        ///< 0..1: brightness of the tip's glow
@@ -60,6 +61,7 @@ class WorkshopScene {
     void furnish(const HeadsetParameters& parameters, const HandsView& hands);
     void addRoom(float tableHeight);
     void addTorch(const HandsView& hands);
+    void addEmptyHand(const HandsView& hands);
     void addRodHand(const HandsView& hands);
     void add(SolidShape shape, const glm::mat4& toWorld, const glm::vec3& colour, float gloss,
              const glm::vec3& glow = glm::vec3(0.0f));

@@ -117,6 +117,14 @@ TEST_CASE("the hand holds the lesson's torch at its tip, and table, machine and 
     for (const Solid& solid : scene.fittings())
         nearest = std::min(nearest, glm::distance(glm::vec3(solid.toWorld[3]), hands.holder.hold.position));
     CHECK(nearest < 0.05f); // the glove is near
+    // While another torch welds the hand is there without a torch.
+    const size_t withTorch = scene.fittings().size();
+    hands.laidAside = true;
+    CHECK(scene.build(parameters, hands).empty());
+    CHECK(scene.fittings().size() > 5);
+    CHECK(scene.fittings().size() < withTorch);
+    hands.laidAside = false;
+    scene.build(parameters, hands);
     const size_t standing = scene.furniture().size();
     CHECK(standing > 20);
     const std::array<Solid, 2> holders{};
