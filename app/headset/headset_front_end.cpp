@@ -70,6 +70,7 @@ bool HeadsetFrontEnd::begin(LessonSession& session, const Home& home, double ela
     changes_.takeConnection(
         runs, hands_, connection_.state() == xr::ConnectionState::asleep ? ArcOut::notFocused : ArcOut::runtimeLost,
         session);
+    session.takeHand(weldingHand(runs));
     if (!runs) return false;
     guarded([&] {
         timing_ = connection_.headset()->waitFrame();
@@ -79,6 +80,11 @@ bool HeadsetFrontEnd::begin(LessonSession& session, const Home& home, double ela
         busy_ = std::chrono::duration<double>(Clock::now() - start).count();
     });
     return inFrame_;
+}
+
+std::optional<WeldingHand> HeadsetFrontEnd::weldingHand(bool runs) const {
+    if (!runs) return std::nullopt;
+    return hands_.torchHand() == xr::Hand::right ? WeldingHand::right : WeldingHand::left;
 }
 
 void HeadsetFrontEnd::readHands(LessonSession& session, const Home& home, double elapsed) {

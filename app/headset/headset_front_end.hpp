@@ -49,6 +49,8 @@ class HeadsetFrontEnd final : public WindowHeadset {
     using Clock = std::chrono::steady_clock;
 
     void guarded(FunctionRef<void()> work);
+    /// Hand of the welder; none while no headset is in use.
+    std::optional<WeldingHand> weldingHand(bool runs) const;
     void readHands(LessonSession& session, const Home& home, double elapsed);
     /// Page that the person has before them; none before the first frame.
     enum class Page { none, home, lesson, work, result };

@@ -7,6 +7,15 @@
 
 namespace meltpool {
 
+namespace {
+
+/// Mirrors a rotation about a plane of constant x: the reflected axis and the opposite angle.
+glm::quat mirroredTurn(const glm::quat& turn) {
+    return {turn.w, turn.x, -turn.y, -turn.z};
+}
+
+} // namespace
+
 TorchPath TorchPath::read(const std::filesystem::path& file) {
     if (isTorchTable(file)) {
         TorchRecording recording = readTorchCsv(file, FurtherColumns::dropped);
@@ -25,6 +34,22 @@ double TorchPath::duration() const {
     return moves_.empty() ? 0 : moves_.back().begin + moves_.back().duration;
 }
 
+void TorchPath::place(TorchSample& sample) const {
+    const float sign = mirrored_ ? -1.0f : 1.0f;
+    sample.tip.x = sign * sample.tip.x + shift_;
+    if (sample.rod) sample.rod->tip.x = sign * sample.rod->tip.x + shift_;
+    if (!mirrored_) return;
+    sample.orientation = mirroredTurn(sample.orientation);
+    if (sample.rod) sample.rod->orientation = mirroredTurn(sample.rod->orientation);
+}
+
+TorchPath TorchPath::mirrored(double middle) const {
+    TorchPath image = *this;
+    image.mirrored_ = !mirrored_;
+    image.shift_ = static_cast<float>(2 * middle) - shift_;
+    return image;
+}
+
 std::optional<double> TorchPath::firstPull() const {
     for (double time = 0; time < duration(); time += kTriggerGrain)
         if (sample(time).trigger > 0) return time;
@@ -32,11 +57,12 @@ std::optional<double> TorchPath::firstPull() const {
 }
 
 TorchSample TorchPath::sample(double time) const {
-    if (!samples_.empty()) return sampleRecording(time);
-    if (!moves_.empty()) return sampleMoves(time);
-    TorchSample none;
-    none.time = time;
-    return none;
+    TorchSample result;
+    result.time = time;
+    if (!samples_.empty()) result = sampleRecording(time);
+    if (samples_.empty() && !moves_.empty()) result = sampleMoves(time);
+    if (mirrored_ || shift_ != 0) place(result);
+    return result;
 }
 
 TorchSample TorchPath::sampleRecording(double time) const {

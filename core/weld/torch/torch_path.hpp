@@ -22,6 +22,9 @@ class TorchPath {
     /// and an unseen one it stays at the former's place.
     TorchSample sample(double time) const;
 
+    /// Returns the mirror image of this path about the plane x = `middle` (m): torch, rod and their directions.
+    TorchPath mirrored(double middle) const;
+
     /// Returns the time of the first pull of the trigger, s, to kTriggerGrain; nothing if it is never pulled.
     std::optional<double> firstPull() const;
     static constexpr double kTriggerGrain = 0.05; ///< s
@@ -39,10 +42,13 @@ class TorchPath {
   private:
     TorchSample sampleRecording(double time) const;
     TorchSample sampleMoves(double time) const;
+    void place(TorchSample& sample) const;
 
     std::vector<TorchSample> samples_;
     std::vector<TorchMove> moves_;
     std::optional<TorchForm> form_;
+    bool mirrored_ = false;
+    float shift_ = 0; ///< m, added to x after the mirroring about x = 0
 };
 
 } // namespace meltpool
