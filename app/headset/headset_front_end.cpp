@@ -11,8 +11,6 @@ namespace meltpool {
 
 namespace {
 
-constexpr double kHoldForAgain = 1; // s
-
 xr::HeadsetSettings settingsOf(const HeadsetParameters& parameters) {
     xr::HeadsetSettings settings;
     settings.resolutionScale = parameters.resolutionScale;
@@ -94,7 +92,7 @@ void HeadsetFrontEnd::readHands(LessonSession& session, const Home& home, double
     panel_.update(input, workshop_, headset.panel().shape(), hands_.torchHand());
     followPage(session, home);
     movePanel(session, elapsed);
-    askAgain(session, input, elapsed);
+    holdAgain(session, input, elapsed);
     if (headset.mode() == xr::SessionMode::focused)
         focusedOpening_ = connection_.openings();
     else
@@ -164,19 +162,11 @@ void HeadsetFrontEnd::movePanel(const LessonSession& session, double elapsed) {
     panel_.move(works, eyes, hands_.torchHand(), elapsed);
 }
 
-/// Asks for the next attempt once the trigger of the hand without the torch has been held for kHoldForAgain over a
-/// result. A pull that began before the result, or points at the panel, asks for nothing.
-void HeadsetFrontEnd::askAgain(const LessonSession& session, const xr::Input& input, double elapsed) {
+void HeadsetFrontEnd::holdAgain(const LessonSession& session, const xr::Input& input, double elapsed) {
     const xr::Hand other = hands_.torchHand() == xr::Hand::right ? xr::Hand::left : xr::Hand::right;
     const xr::HandInput& hand = input.hand(other);
-    const bool pulled = hand.tracked && hand.trigger > 0.5f;
-    const bool free = page_ == Page::result && !session.question().asked() && panel_.pointingHand() != other;
-    const bool begins = !std::exchange(otherPulled_, pulled);
-    const double before = againHeld_;
-    // A slow frame makes no hold of a short pull.
-    const double seen = std::min(elapsed, 0.1);
-    againHeld_ = pulled && free && (begins || againHeld_ > 0) ? againHeld_ + seen : 0;
-    again_ = before < kHoldForAgain && againHeld_ >= kHoldForAgain;
+    again_.update(hand.tracked && hand.trigger > 0.5f,
+                  page_ == Page::result && !session.question().asked() && panel_.pointingHand() != other, elapsed);
 }
 
 /// Returns true if a hand has moved since the last call, or presses something.
@@ -229,7 +219,7 @@ MenuRequest HeadsetFrontEnd::draw(LessonSession& session, Home& home, const Less
     recordPerson(session);
     if (inFrame_) drawNotice(session, figures, messages, elapsed);
     const MenuRequest asked = inFrame_ && panel_.open() ? drawMenu(session, home, figures, elapsed) : MenuRequest::none;
-    return again_ && asked == MenuRequest::none ? MenuRequest::reset : asked;
+    return again_.asked() && asked == MenuRequest::none ? MenuRequest::reset : asked;
 }
 
 void HeadsetFrontEnd::drawEyes(LessonSession& session, double elapsed, gl::Profiler* profiler) {
@@ -273,7 +263,7 @@ void HeadsetFrontEnd::recordPerson(LessonSession& session) {
 
 /// Returns the sentence for the notice's quiet part: the task at work, or the answer to a trigger held over a result.
 std::string_view HeadsetFrontEnd::quietSentence(const LessonSession& session) const {
-    if (againHeld_ > 0) return phrase("headset.notice.again");
+    if (again_.holds()) return phrase("headset.notice.again");
     return page_ == Page::work && session.leader() == TorchLeader::hand ? std::string_view(session.lesson().text)
                                                                         : std::string_view();
 }
@@ -291,13 +281,13 @@ std::string_view HeadsetFrontEnd::wayToWork(const LessonSession& session) const 
 
 void HeadsetFrontEnd::drawNotice(const LessonSession& session, const LessonFigures& figures, const Messages& messages,
                                  double elapsed) {
-    const std::string_view way = againHeld_ > 0 ? std::string_view() : wayToWork(session);
+    const std::string_view way = again_.holds() ? std::string_view() : wayToWork(session);
     notice_.text.compose(messages, figures, place_.zoom, way.empty() ? quietSentence(session) : way);
     if (!drawn_ || notice_.text.text().empty()) return;
     guarded([&] {
         xr::Headset& headset = *connection_.headset();
         const TrackedTorch& torch = hands_.torch();
-        notice_.place.update(!notice_.text.warnings().empty() || againHeld_ > 0 || !way.empty(),
+        notice_.place.update(!notice_.text.warnings().empty() || again_.holds() || !way.empty(),
                              workshop_.toWorkshop(head()),
                              torch.tracked() ? std::optional(torch.tip().position) : std::nullopt,
                              parameters_.tableHeight, elapsed,

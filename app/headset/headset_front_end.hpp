@@ -2,6 +2,7 @@
 // asleep, lost or in use.
 #pragma once
 
+#include "app/headset/again_hold.hpp"
 #include "app/headset/headset_changes.hpp"
 #include "app/headset/headset_menu.hpp"
 #include "app/headset/headset_notice.hpp"
@@ -61,7 +62,7 @@ class HeadsetFrontEnd final : public WindowHeadset {
     void followPage(const LessonSession& session, const Home& home);
     bool heats(const LessonSession& session) const;
     void movePanel(const LessonSession& session, double elapsed);
-    void askAgain(const LessonSession& session, const xr::Input& input, double elapsed);
+    void holdAgain(const LessonSession& session, const xr::Input& input, double elapsed);
     void placeWorkshop(LessonSession& session, double elapsed);
     bool handsAct(const xr::Input& input);
     bool leadsTorch() const { return inFrame_ && changes_.lessonRuns() && hands_.torch().known(); }
@@ -89,15 +90,13 @@ class HeadsetFrontEnd final : public WindowHeadset {
     HeadsetMenu menu_;
     HeadsetNotice notice_;
     Mirror mirror_;
+    AgainHold again_;
     Question* question_ = nullptr; ///< see ask()
     xr::FrameTiming timing_;
     bool inFrame_ = false;
     int focusedOpening_ = 0;      ///< opening in which the runtime first gave the trainer its input
     size_t judgements_ = 0;       ///< judgements for which the panel has opened
     bool openedByResult_ = false; ///< a result opened the panel
-    bool again_ = false;          ///< the person asks for another attempt in this frame
-    double againHeld_ = 0;        ///< s for which the person has asked for it
-    bool otherPulled_ = false;    ///< the trigger of the hand without the torch is pulled
     bool arcBurned_ = false;      ///< the arc has burned in this attempt
     Page page_ = Page::none;      ///< page of the last frame
     bool drawn_ = false;          ///< the eyes hold a picture that the runtime shows
