@@ -148,7 +148,9 @@ void DesktopApp::runFrame() {
     messages_.expire(time);
     if (gl::debugBuild() || options_.watchShaders) shaderWatch_.update(shaders_, steps_.thread(), messages_, time);
     const bool captured = session_.running() && controls_.captured();
-    interface_.begin(sections_.window.interfaceSize, captured, !session_.running() && !home_.open);
+    // In the list of lessons the program itself takes arrow keys and Enter.
+    const bool byKeyboard = !session_.running() && (!home_.open || home_.attempts.shown());
+    interface_.begin(sections_.window.interfaceSize, captured, byKeyboard);
     interface_.takeInput(input, captured);
     handleKeys(input);
     tellRecordings(session_.log().recordings(), time, messages_);
@@ -278,6 +280,7 @@ void DesktopApp::takeJudgement() {
     if (session_.attempt().judgements() == judgements_) return;
     judgements_ = session_.attempt().judgements();
     menus_.showResult(session_);
+    controls_.releaseMouse(); // to read and press
     sound_.judged(session_);
     lessons_.keepScore(session_.leader() == TorchLeader::hand && headset_.device()
                            ? static_cast<double>(headset_.device()->zoom())
@@ -309,7 +312,8 @@ void DesktopApp::drawPicture() {
 
 MenuRequest DesktopApp::drawMenus() {
     return menus_.draw({session_, home_, controls_, messages_, figures_, profiler_, pacer_.frameSeconds() * 1000,
-                        driver_, sections_.forViewMenu(headsetSection()), seats_.question(Seat::desk)});
+                        driver_, sections_.forViewMenu(headsetSection()), seats_.question(Seat::desk),
+                        headset_.inFrame() != nullptr});
 }
 
 /// Reports letters that no font here has. They come in names of lessons and files that people bring.

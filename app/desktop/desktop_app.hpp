@@ -71,6 +71,7 @@ class DesktopApp {
     void moveByKeys(const InputFrame& input);
     void demonstrateByKeys(const InputFrame& input);
     void replayByKeys(const InputFrame& input);
+    void goOnByKeys(const InputFrame& input);
     void showAll();
     void takeJudgement();
     void beginHeadset(double seconds);

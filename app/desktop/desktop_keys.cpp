@@ -16,6 +16,8 @@ void DesktopApp::moveByKeys(const InputFrame& input) {
             home_.attempts.hide();
         return;
     }
+    if (home_.open && std::find(input.struck.begin(), input.struck.end(), Key::tab) != input.struck.end())
+        return home_.attempts.show();
     for (const Key key : input.pressed) {
         if (!home_.open) break;
         home_.move((key == Key::right) - (key == Key::left), (key == Key::down) - (key == Key::up));
@@ -53,6 +55,12 @@ void DesktopApp::replayByKeys(const InputFrame& input) {
     if (std::find(input.struck.begin(), input.struck.end(), Key::space) != input.struck.end()) line.toggle();
 }
 
+/// Handles the key of a judged attempt: Enter for the next lesson.
+void DesktopApp::goOnByKeys(const InputFrame& input) {
+    if (menus_.panels.help || !menus_.panels.result || !session_.attempt().judged() || session_.welds()) return;
+    if (std::find(input.struck.begin(), input.struck.end(), Key::enter) != input.struck.end()) act(MenuRequest::next);
+}
+
 void DesktopApp::handleKeys(const InputFrame& input) {
     const Activities& activities = session_.activities();
     if (!session_.running())
@@ -61,6 +69,8 @@ void DesktopApp::handleKeys(const InputFrame& input) {
         replayByKeys(input);
     else if (activities.at(activities.demonstration))
         demonstrateByKeys(input);
+    else
+        goOnByKeys(input);
     for (const Key key : input.struck)
         act(key);
 }

@@ -1,8 +1,17 @@
 #include "app/desktop/desktop_menus.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace meltpool {
+
+namespace {
+
+ui::KeySituation keysOf(const DesktopMenuContent& content) {
+    return ui::keySituation(content.controls, content.session, content.home.open, content.headset);
+}
+
+} // namespace
 
 float DesktopMenus::coveredLeft() {
     if (panels.result && !panels.hidden) return ui::resultReach(interface_.context());
@@ -36,7 +45,7 @@ MenuRequest DesktopMenus::draw(const DesktopMenuContent& content) {
     else if (!panels.hidden)
         request = drawPanels(content);
     ui::questionOverlay(context, session.question().asked() ? session.question() : content.seatQuestion);
-    if (panels.help) ui::helpOverlay(context, panels.help);
+    if (panels.help) ui::helpOverlay(context, panels.help, keysOf(content));
     const bool running = session.running();
     ui::messageStack(context, content.messages, running ? coveredLeft() : 0, running ? coveredRight() : 0);
     return request;
@@ -46,7 +55,7 @@ MenuRequest DesktopMenus::drawPanels(const DesktopMenuContent& content) {
     ui::Context& context = interface_.context();
     const Lesson& lesson = content.session.lesson();
     MenuRequest request = ui::topBar(context, panels, content.controls, content.session);
-    ui::statusBar(context, content.figures, content.controls);
+    ui::statusBar(context, content.figures, keysOf(content));
     if (!content.figures.caption.empty())
         ui::captionLine(context, content.figures.caption, coveredLeft(), coveredRight());
     const Activities& activities = content.session.activities();
@@ -62,7 +71,7 @@ MenuRequest DesktopMenus::drawPanels(const DesktopMenuContent& content) {
     panels.result = panels.result && content.session.judges();
     closeOverlapping();
     if (panels.result)
-        if (const MenuRequest asked = ui::resultPanel(context, content.session, content.home);
+        if (const MenuRequest asked = ui::resultPanel(context, content.session, content.home, std::exchange(resultFromTop_, false));
             asked != MenuRequest::none)
             request = asked;
     if (panels.view) ui::viewMenu(context, content.viewSections);
@@ -77,6 +86,7 @@ void DesktopMenus::showResult(const LessonSession& session) {
     if (!session.judges()) return;
     panels.result = true;
     panels.hidden = false;
+    resultFromTop_ = true;
 }
 
 void DesktopMenus::closeOverlapping() {

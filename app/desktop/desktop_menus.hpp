@@ -23,6 +23,7 @@ struct DesktopMenuContent {
     const std::string& driver;                             ///< name of the graphics driver
     std::span<const ParameterSection* const> viewSections; ///< sections of the view menu
     Question& seatQuestion;                                ///< question before an action ends the trainee's weld
+    bool headset = false;                                  ///< a headset is in use
 };
 
 class DesktopMenus {
@@ -52,6 +53,7 @@ class DesktopMenus {
     /// The machine panel is not drawn: its values would change nothing (weld cut open, attempt replayed), or it has no
     /// room.
     bool machineWaits_ = false;
+    bool resultFromTop_ = false;   ///< the next frame shows the result's top
     bool resultIsNewer_ = false;   ///< the result opened after the panels at its place
     bool timingsAreNewer_ = false; ///< choice if both panels at the left are open in the next frame
     bool machineIsNewer_ = false;  ///< the machine panel opened after a panel at the left

@@ -23,7 +23,7 @@ namespace meltpool {
 
 namespace {
 
-constexpr std::array<std::pair<int, Key>, static_cast<size_t>(Key::count)> kKeys{{
+constexpr std::array<std::pair<int, Key>, static_cast<size_t>(Key::count) + 1> kKeys{{
     {GLFW_KEY_A, Key::a},
     {GLFW_KEY_C, Key::c},
     {GLFW_KEY_D, Key::d},
@@ -48,6 +48,8 @@ constexpr std::array<std::pair<int, Key>, static_cast<size_t>(Key::count)> kKeys
     {GLFW_KEY_BACKSPACE, Key::backspace},
     {GLFW_KEY_SPACE, Key::space},
     {GLFW_KEY_TAB, Key::tab},
+    {GLFW_KEY_LEFT_SHIFT, Key::shift},
+    {GLFW_KEY_RIGHT_SHIFT, Key::shift},
     {GLFW_KEY_F1, Key::f1},
     {GLFW_KEY_F2, Key::f2},
     {GLFW_KEY_F3, Key::f3},

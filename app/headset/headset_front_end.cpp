@@ -68,7 +68,7 @@ bool HeadsetFrontEnd::begin(LessonSession& session, const Home& home, double ela
     changes_.takeConnection(
         runs, hands_, connection_.state() == xr::ConnectionState::asleep ? ArcOut::notFocused : ArcOut::runtimeLost,
         session);
-    session.takeHand(weldingHand(runs));
+    session.values().takeHand(weldingHand(runs));
     if (!runs) return false;
     guarded([&] {
         timing_ = connection_.headset()->waitFrame();

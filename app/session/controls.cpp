@@ -19,9 +19,9 @@ float axis(const InputFrame& input, Key positive, Key negative) {
     return static_cast<float>(input.isHeld(positive)) - static_cast<float>(input.isHeld(negative));
 }
 
-/// Travel of the mouse button or trigger, 0..1.
+/// Travel of the mouse button, the space bar or the trigger, 0..1.
 float pulled(const InputFrame& input) {
-    return input.leftHeld ? 1.0f : input.gamepad.rightTrigger;
+    return input.leftHeld || input.isHeld(Key::space) ? 1.0f : input.gamepad.rightTrigger;
 }
 
 } // namespace

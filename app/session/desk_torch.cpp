@@ -26,7 +26,11 @@ constexpr double kKeyAngle = kDegree;      // angle per arrow key
 constexpr double kLeanRate = 40 * kDegree; // rad/s, with a stick pushed all the way
 constexpr double kDistanceRate = 8 * kMm;  // m/s, with a shoulder button held
 constexpr double kSteepest = 60 * kDegree;
-constexpr double kNearest = 0.5 * kMm, kLongest = 60 * kMm; // limits of the distance
+constexpr double kNearest = 0.5 * kMm; // least distance of a contact tip
+constexpr double kInto = -0.5 * kMm;   // of an electrode or iron, which touches the metal
+constexpr double kLongest = 60 * kMm;
+constexpr double kRise = 4 * kMm; // m/s at which a hand rises with the growing pool
+constexpr double kKeyRamp = 0.12; // s in which the keys' speed changes
 constexpr double kPointsPerMove = 100; // points of mouse travel per move of ControlParameters::torchMouse
 constexpr double kRodFeed = 4 * kMm;                        // m/s of the fingers while a rod is dipped
 constexpr double kRodTime = 0.15;                           // s from rest into the pool
@@ -83,8 +87,10 @@ void DeskTorch::begin(const Lesson& lesson) {
     wanted_ = {};
     wanted_.aim = idealOf(lesson, TechniqueQuantity::aim, 0);
     wanted_.distance = idealOf(lesson, TechniqueQuantity::distance, usual);
+    pool_ = rise_ = 0;
     // A touch-struck arc's distance at the start says nothing of how it is held.
-    if (kind_ == DistanceKind::ctwd) wanted_.distance = expertDistance(lesson, *seam_).value_or(wanted_.distance);
+    if (kind_ == DistanceKind::ctwd)
+        pool_ = std::max(expertDistance(lesson, *seam_).value_or(wanted_.distance) - wanted_.distance, 0.0);
     wanted_.work = idealOf(lesson, TechniqueQuantity::workAngle, 0);
     wanted_.travel = idealOf(lesson, TechniqueQuantity::travelAngle, 0);
     const double first = lesson.technique ? lesson.technique->lengthFromMm * kMm : seam_->begin() + kRunUp;
@@ -92,6 +98,7 @@ void DeskTorch::begin(const Lesson& lesson) {
     wanted_.place = std::max(first - kRunUp, seam_->begin() + kFromEnd);
     held_ = wanted_;
     left_ = time_ = 0;
+    keyPace_ = {};
     guided_ = false;
 }
 
@@ -117,10 +124,11 @@ void DeskTorch::update(const InputFrame& input, const DeskFrame& frame, const Co
     const auto pointWay = parameters.torchMouse * static_cast<float>(kMm / kPointsPerMove);
     lead(glm::vec2(input.mouseMove.x, -input.mouseMove.y) * pointWay, frame.toScreen);
     takeKeys(input);
+    leadByKeys(input, frame, static_cast<double>(parameters.keySpeed) * kMm);
     takeGamepad(input.gamepad, frame, static_cast<double>(parameters.gamepadSpeed) * kMm);
     if (!seam_->closed()) wanted_.place = std::clamp(wanted_.place, seam_->begin() - kBeyond, seam_->end() + kBeyond);
     wanted_.aim = std::clamp(wanted_.aim, -kFarthest, kFarthest);
-    wanted_.distance = std::clamp(wanted_.distance, kNearest, kLongest);
+    wanted_.distance = std::clamp(wanted_.distance, kind_ == DistanceKind::ctwd ? kNearest : kInto, kLongest);
     wanted_.work = std::clamp(wanted_.work, -kSteepest, kSteepest);
     wanted_.travel = std::clamp(wanted_.travel, -kSteepest, kSteepest);
 }
@@ -135,7 +143,9 @@ void DeskTorch::lead(const glm::vec2& way, const glm::mat3& toScreen) {
 
 void DeskTorch::takeKeys(const InputFrame& input) {
     wanted_.distance += static_cast<double>(input.scroll) * kNotch;
+    const bool leads = input.isHeld(Key::shift); // then the arrow keys lead the torch, see leadByKeys()
     for (const Key key : input.pressed) {
+        if (leads && key >= Key::left && key <= Key::down) continue;
         if (key == Key::right) wanted_.travel += kKeyAngle;
         if (key == Key::left) wanted_.travel -= kKeyAngle;
         if (key == Key::up) wanted_.work -= kKeyAngle;
@@ -145,6 +155,17 @@ void DeskTorch::takeKeys(const InputFrame& input) {
     }
     const bool dips = input.isHeld(Key::r) || input.gamepad.leftTrigger > 0.5F;
     wanted_.dip = rod_ && dips ? 1 : 0;
+}
+
+/// Leads the torch on the screen while Shift and arrow keys are held, with soft starts and ends.
+void DeskTorch::leadByKeys(const InputFrame& input, const DeskFrame& frame, double speed) {
+    glm::dvec2 wanted{0};
+    if (input.isHeld(Key::shift)) {
+        wanted.x = static_cast<double>(input.isHeld(Key::right)) - static_cast<double>(input.isHeld(Key::left));
+        wanted.y = static_cast<double>(input.isHeld(Key::up)) - static_cast<double>(input.isHeld(Key::down));
+    }
+    keyPace_ += (wanted - keyPace_) * (1 - std::exp(-frame.seconds / kKeyRamp));
+    lead(glm::vec2(keyPace_ * (speed * frame.seconds)), frame.toScreen);
 }
 
 void DeskTorch::takeGamepad(const GamepadFrame& gamepad, const DeskFrame& frame, double speed) {
@@ -170,6 +191,7 @@ TorchSample DeskTorch::next(int step, int due, double seconds, float burntOff, f
         const double way = std::min(guide_ * seconds, wayLeft());
         left_ += way;
         held_.place += way;
+        rise_ = std::min(rise_ + kRise * seconds, pool_);
     }
     const double share = 1.0 / (due - step);
     DeskPose target = wanted_;
@@ -195,7 +217,7 @@ TorchSample DeskTorch::sampleOf(const DeskPose& pose, float burntOff) const {
     const glm::dvec3 right = glm::normalize(frame.tangent - glm::dot(frame.tangent, back) * back);
     const glm::dvec3 foot = frame.point + pose.aim * frame.across;
     TorchSample torch;
-    torch.tip = glm::vec3(foot + (pose.distance - stickOut_ - static_cast<double>(burntOff)) * back);
+    torch.tip = glm::vec3(foot + (pose.distance + rise_ - stickOut_ - static_cast<double>(burntOff)) * back);
     torch.orientation = glm::normalize(
         glm::quat_cast(glm::mat3(glm::vec3(right), glm::vec3(glm::cross(back, right)), glm::vec3(back))));
     if (rod_) torch.rod = rodOf(torch, pose, frame);
@@ -206,7 +228,7 @@ RodSample DeskTorch::rodOf(const TorchSample& torch, const DeskPose& pose, const
     RodHold hold;
     hold.travel = glm::vec3(frame.tangent);
     hold.up = glm::vec3(frame.up);
-    hold.below = pose.distance;
+    hold.below = pose.distance + rise_;
     hold.feed = pose.dip > 0.5 ? kRodFeed : 0;
     return hold.at(torch.tip, between(hold.rest, -hold.depth, pose.dip));
 }

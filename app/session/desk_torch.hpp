@@ -20,7 +20,7 @@ struct ProcessSettings;
 struct DeskPose {
     double place = 0;    ///< m along the seam
     double aim = 0;      ///< m across the seam
-    double distance = 0; ///< m from contact tip or electrode to the seam's height, along the torch
+    double distance = 0; ///< m from contact tip or electrode to the metal's expected height, along the torch
     double work = 0;     ///< rad
     double travel = 0;   ///< rad; positive pushes while the torch travels towards greater places
     double dip = 0;      ///< dip of a filler rod: 0 at rest, 1 in the pool
@@ -32,12 +32,13 @@ struct DeskFrame {
     double seconds = 0;    ///< s of real time since the last frame
 };
 
-/// Torch of the desk. Once a frame the input sets its target; the steps of the frame move it there evenly. Its height
-/// follows the workpiece as it was before welding, not the growing bead: the mouse cannot feel metal.
+/// Torch of the desk. Once a frame the input sets its target; the steps of the frame move it there evenly. The mouse
+/// cannot feel metal: a contact tip's height follows the workpiece as it was before welding and, while the trigger is
+/// pulled, rises to the height of the demonstration over its pool.
 class DeskTorch {
   public:
-    /// Places the torch over the beginning of what the lesson's technique wants welded, at the asked angles, a contact
-    /// tip at the demonstration's distance; leads nothing in a lesson of the classic model.
+    /// Places the torch over the beginning of what the lesson's technique wants welded, at the asked angles and
+    /// distance; leads nothing in a lesson of the classic model.
     void begin(const Lesson& lesson);
     /// Moves the torch to this place along the seam (m); its pose stays.
     void standAt(double place);
@@ -46,7 +47,7 @@ class DeskTorch {
 
     /// Takes a frame's input. Mouse travel on the screen becomes travel along and across the seam; a wheel notch is 0.5
     /// mm of distance, an arrow key 1 degree of travel (left, right) or work angle (up, down), a page key 0.5 mm of
-    /// distance. A gamepad's left stick leads like the mouse and its right stick leans the handle on the screen; its
+    /// distance. Arrow keys held with Shift lead the torch on the screen at the keys' speed. A gamepad's left stick leads like the mouse and its right stick leans the handle on the screen; its
     /// shoulders change the distance and its left trigger dips the rod. With a guide speed the torch travels by itself
     /// while it welds, in the metal's time, up to the end of its range. `process`: settings now; a contact tip does not
     /// move when the stick-out changes.
@@ -68,6 +69,7 @@ class DeskTorch {
     void take(const ProcessSettings& process);
     void lead(const glm::vec2& way, const glm::mat3& toScreen);
     void takeKeys(const InputFrame& input);
+    void leadByKeys(const InputFrame& input, const DeskFrame& frame, double speed);
     void takeGamepad(const GamepadFrame& gamepad, const DeskFrame& frame, double speed);
     double wayLeft() const;
     TorchSample sampleOf(const DeskPose& pose, float burntOff) const;
@@ -84,6 +86,9 @@ class DeskTorch {
     bool guided_ = false;
     DeskPose wanted_; ///< target that the hand sets
     DeskPose held_;   ///< pose at the last step
+    double pool_ = 0; ///< m by which the demonstration is held higher, over its pool
+    double rise_ = 0; ///< m of that which this torch has risen
+    glm::dvec2 keyPace_{0}; ///< share of the keys' speed on the screen, x right and y up
     double left_ = 0; ///< m that the guide went beyond the hand's own way
 };
 

@@ -34,6 +34,7 @@ enum class Key {
     backspace,
     space,
     tab,
+    shift,
     f1,
     f2,
     f3,

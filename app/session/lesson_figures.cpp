@@ -2,6 +2,8 @@
 
 #include "app/session/lesson_session.hpp"
 
+#include <cmath>
+
 namespace meltpool {
 
 void fillFigures(LessonFigures& figures, LessonSession& session) {
@@ -23,6 +25,10 @@ void fillFigures(LessonFigures& figures, LessonSession& session) {
     const bool led = session.leader() == TorchLeader::desk && torch.leads();
     figures.torch = led ? std::optional(torch.pose()) : std::nullopt;
     figures.distance = torch.distanceKind();
+    // The judged distance, which cues and result have too; without metal below the torch that of the hand.
+    if (led && trainer->technique() != nullptr)
+        if (const double judged = trainer->technique()->now()[TechniqueQuantity::distance]; std::isfinite(judged))
+            figures.torch->distance = judged;
 }
 
 } // namespace meltpool

@@ -26,7 +26,7 @@ struct LessonFigures {
     size_t lost = 0;      ///< particles that left the box or whose state became non-finite
     size_t refused = 0;   ///< non-finite new particle states that were rejected since the reset
     bool stopped = false; ///< true: a fault stopped the simulation
-    /// Pose of the desk's torch, if it leads, and the kind of its distance.
+    /// Pose of the desk's torch, if it leads, with the distance that is judged, and the kind of that distance.
     std::optional<DeskPose> torch;
     DistanceKind distance = DistanceKind::ctwd;
 };

@@ -71,10 +71,6 @@ void LessonSession::begin(Controls& controls) {
     beginAttempt();
 }
 
-TorchPath LessonSession::pathOfExpert() const {
-    return hand_ ? pathForHand(lesson(), *hand_) : lesson().torch;
-}
-
 /// Makes the metal. `process`: settings other than the menus', which then have no effect.
 void LessonSession::makeMetal(const ProcessSettings* process) {
     run_.free();
@@ -84,7 +80,7 @@ void LessonSession::makeMetal(const ProcessSettings* process) {
         for (const auto& [key, value] : trial.current().values)
             made.set(key, value, "an offered value");
     if (process != nullptr) made.process = *process;
-    made.torch = pathOfExpert();
+    made.torch = values_.pathOfExpert();
     run_.make(std::move(made));
     sound_.soundSteps.reset();
     if (!trial.measuring()) run_.trainer()->listen(&sound_.soundSteps);
@@ -144,7 +140,7 @@ void LessonSession::reset(Controls& controls) {
     closeCut(controls);
     controls.reset();
     lead_.begin(lesson());
-    run_.trainer()->lesson().torch = pathOfExpert(); // the hand may have changed
+    run_.trainer()->lesson().torch = values_.pathOfExpert(); // the hand may have changed
     attempt().reset(*run_.trainer());
     run_.clock().restart();
     beginAttempt();

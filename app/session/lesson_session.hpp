@@ -9,9 +9,7 @@
 #include "app/session/lesson_sound.hpp"
 #include "app/session/lesson_values.hpp"
 #include "app/session/torch_lead.hpp"
-#include "core/training/lesson/handed_path.hpp"
 
-#include <optional>
 #include <string>
 
 namespace meltpool {
@@ -46,9 +44,6 @@ class LessonSession {
     /// Makes the metal and plays the lesson's demonstration over it, if it has one. A demonstration has no record and
     /// is not judged; reset() ends it and begins an attempt. Throws as begin() does.
     void demonstrate(Controls& controls);
-    /// Takes the hand that holds a tracked torch: demonstration and expert's ghost weld in its direction, see
-    /// pathForHand(), from the next attempt on. Empty: the torch is led at the desk, the path is the lesson's own.
-    void takeHand(std::optional<WeldingHand> hand) { hand_ = hand; }
     /// Makes the metal of a stored attempt, see lessonOfAttempt(), and plays it. A replay has no record and is not
     /// judged; the menus' values do not affect it. reset() ends it and begins an attempt. Throws as begin() does.
     void openReplay(Lesson attempt, Controls& controls);
@@ -124,7 +119,6 @@ class LessonSession {
     void openHelp();
     void prepare(Controls& controls);
     void makeMetal(const ProcessSettings* process = nullptr);
-    TorchPath pathOfExpert() const;
     void beginOver(Activity& activity);
     void beginAttempt();
     void beginTrial();
@@ -143,7 +137,6 @@ class LessonSession {
     LessonSound sound_;
     HelpSections help_;
     Question question_;
-    std::optional<WeldingHand> hand_;
     bool paused_ = false;
     bool pausing_ = false; ///< the pause begins once the hand's arc is out
     // controls of the frame whose steps are made

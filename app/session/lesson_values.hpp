@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/session/lesson_sections.hpp"
+#include "core/training/lesson/handed_path.hpp"
 #include "core/training/trainer/trainer.hpp"
 
 #include <optional>
@@ -35,6 +36,12 @@ class LessonValues {
     /// True if settings of the machine that the lesson gives differ from its own.
     bool settingsChanged() const { return sections_->machineChanged(lesson_); }
 
+    /// Takes the hand that holds a tracked torch: demonstration and expert's ghost weld in its direction from the next
+    /// attempt on. Empty: the torch is led at the desk.
+    void takeHand(std::optional<WeldingHand> hand) { hand_ = hand; }
+    /// Path of demonstration and ghost: see pathForHand(); at the desk the lesson's own.
+    TorchPath pathOfExpert() const { return hand_ ? pathForHand(lesson_, *hand_) : lesson_.torch; }
+
     /// Connects this metal: apply() brings the menus' values to it.
     void follow(Trainer& trainer);
     void unfollow();
@@ -45,6 +52,7 @@ class LessonValues {
   private:
     ProcessSettings given_;
     Lesson lesson_;
+    std::optional<WeldingHand> hand_;
     std::optional<LessonSections> sections_; ///< sections of lesson_; never empty
     ParameterList menuValues_;               ///< live values of metal and process in the menus
     ParameterList liveValues_;               ///< live values of the running metal

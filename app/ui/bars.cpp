@@ -1,6 +1,5 @@
 // Draws the bars at the top and bottom of the running trainer, the messages above them and the colour scale.
 #include "app/ui/panels.hpp"
-#include "core/base/function_ref.hpp"
 #include "core/base/words.hpp"
 #include "core/render/look/temperature_scale.hpp"
 
@@ -114,52 +113,6 @@ void keyHint(Context& context, const char* key, const char* what) {
     ImGui::TextUnformatted(what);
     ImGui::PopStyleColor();
     ImGui::SameLine(0, context.points(16));
-}
-
-struct Hint {
-    ShortText key;
-    std::string_view what; ///< key of its phrase
-};
-
-/// Names the flying keys of the current keyboard: "W A S D".
-ShortText flyingKeys(const Context& context) {
-    return {context.key(Key::w), " ", context.key(Key::a), " ", context.key(Key::s), " ", context.key(Key::d)};
-}
-
-/// Gives the hints for the person's current activity to `draw`, in order of weight.
-void giveHints(const Context& context, const Controls& controls, bool torch, FunctionRef<bool(const Hint&)> draw) {
-    const ShortText look = context.key(Key::v), capture = context.key(Key::c);
-    const ShortText left(phrase("bar.key.left_button")), right(phrase("bar.key.right_button"));
-    const ShortText mouse(phrase("bar.key.mouse")), wheel(phrase("bar.key.wheel")), arrows(phrase("bar.key.arrows"));
-    const bool working = controls.mode() == Mode::interact, caught = controls.captured();
-    const auto all = [&](std::initializer_list<Hint> hints) {
-        for (const Hint& hint : hints)
-            if (!draw(hint)) return;
-    };
-    if (working && torch && caught)
-        all({{left, "bar.hint.weld"},
-             {wheel, "bar.hint.arc_length"},
-             {arrows, "bar.hint.lean"},
-             {capture, "bar.hint.free_mouse"}});
-    else if (working && torch)
-        all({{left, "bar.hint.weld"},
-             {mouse, "bar.hint.along_seam"},
-             {arrows, "bar.hint.lean"},
-             {capture, "bar.hint.lock_to_torch"}});
-    else if (working && caught)
-        all({{left, "bar.hint.heat"}, {right, "bar.hint.near_and_far"}, {capture, "bar.hint.free_mouse"}});
-    else if (working)
-        all({{left, "bar.hint.heat"},
-             {look, "bar.hint.look_around"},
-             {capture, "bar.hint.catch_mouse"},
-             {"F1", "bar.hint.help"}});
-    else if (caught)
-        all({{mouse, "bar.hint.look"}, {flyingKeys(context), "bar.hint.fly"}, {capture, "bar.hint.free_mouse"}});
-    else
-        all({{flyingKeys(context), "bar.hint.fly"},
-             {look, "bar.hint.work"},
-             {capture, "bar.hint.catch_mouse"},
-             {"F1", "bar.hint.help"}});
 }
 
 constexpr float kWholeBar = 788;    ///< points at which every button of the bar has room
@@ -293,7 +246,7 @@ void captionLine(Context& context, std::string_view caption, float left, float r
     draw->AddText(nullptr, 0, {x, y}, colour::kText, caption.data(), caption.data() + caption.size(), room);
 }
 
-void statusBar(Context& context, const LessonFigures& figures, const Controls& controls) {
+void statusBar(Context& context, const LessonFigures& figures, const KeySituation& now) {
     const float height = barHeight(context);
     beginBar(context, "status bar", ImGui::GetIO().DisplaySize.y - height);
     ImGui::PushFont(context.fonts.small);
@@ -303,13 +256,15 @@ void statusBar(Context& context, const LessonFigures& figures, const Controls& c
     const float right = std::max(
         ImGui::GetIO().DisplaySize.x - ImGui::CalcTextSize(text.c_str()).x - context.points(16), context.points(16));
 
-    giveHints(context, controls, figures.torch.has_value(), [&](const Hint& hint) {
-        const char* const what = phrase(hint.what).c_str();
-        const float need = ImGui::CalcTextSize(hint.key.c_str()).x + ImGui::CalcTextSize(what).x + context.points(40);
-        if (ImGui::GetCursorPosX() + need > right) return false;
-        keyHint(context, hint.key.c_str(), what);
-        return true;
-    });
+    const KeyGuide guide(now);
+    for (const KeyRow& row : guide.rows()) {
+        if (row.hint.empty()) continue;
+        const ShortText key = keyRowName(context, row);
+        const char* const what = phrase(row.hint).c_str();
+        const float need = ImGui::CalcTextSize(key.c_str()).x + ImGui::CalcTextSize(what).x + context.points(40);
+        if (ImGui::GetCursorPosX() + need > right) break;
+        keyHint(context, key.c_str(), what);
+    }
     ImGui::GetWindowDrawList()->AddText({right, ImGui::GetWindowPos().y + (height - ImGui::GetTextLineHeight()) / 2},
                                         colour::kText, text.c_str());
     ImGui::PopFont();

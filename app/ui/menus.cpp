@@ -106,68 +106,27 @@ void passRow(Context& context, std::string_view name, double ms, double whole, i
     ImGui::PopStyleColor();
 }
 
-struct Shortcut {
-    ShortText keys;
-    std::string_view what; ///< key of its phrase
-};
-
-void shortcutColumn(Context& context, const char* title, std::span<const Shortcut> rows) {
-    strongText(context, title);
+/// Draws the rows of one heading; nothing if there are none.
+void keyColumn(Context& context, const KeyGuide& guide, KeyHeading heading) {
+    static constexpr std::array<std::string_view, size_t(KeyHeading::count)> kTitles{
+        "help.heading.torch",  "help.heading.playing",     "help.heading.weld",
+        "help.heading.camera", "help.heading.camera_free", "help.heading.program"};
+    const auto here = [heading](const KeyRow& row) { return row.heading == heading; };
+    if (std::none_of(guide.rows().begin(), guide.rows().end(), here)) return;
+    strongText(context, phrase(kTitles[size_t(heading)]));
     const float left = ImGui::GetCursorPosX();
     ImGui::PushTextWrapPos(0);
-    for (const Shortcut& row : rows) {
+    for (const KeyRow& row : guide.rows()) {
+        if (!here(row)) continue;
         ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(255, 178, 122, 255));
-        ImGui::TextUnformatted(row.keys.c_str());
+        ImGui::TextUnformatted(keyRowName(context, row).c_str());
         ImGui::PopStyleColor();
         ImGui::SameLine();
-        ImGui::SetCursorPosX(left + context.points(140));
+        ImGui::SetCursorPosX(left + context.points(170));
         ImGui::TextUnformatted(phrase(row.what).c_str());
     }
     ImGui::PopTextWrapPos();
     ImGui::Dummy({0, context.points(6)});
-}
-
-/// Draws the left half of the help page.
-void torchKeys(Context& context) {
-    const std::string_view a = context.key(Key::a), d = context.key(Key::d), e = context.key(Key::e),
-                           q = context.key(Key::q), s = context.key(Key::s), w = context.key(Key::w);
-    const std::array<Shortcut, 5> torch{{{{phrase("help.key.left_button")}, "help.heat_while_held"},
-                                         {{phrase("help.key.mouse")}, "help.torch_sideways_and_up"},
-                                         {{phrase("help.key.and_right_button")}, "help.torch_near_and_far"},
-                                         {{phrase("help.key.arrow_keys")}, "help.torch_in_steps"},
-                                         {{phrase("help.key.page_keys")}, "help.torch_up_and_down"}}};
-    const std::array<Shortcut, 2> heat{{{context.key(Key::f), "help.hot_or_cold_source"},
-                                        {{"F5  ", context.key(Key::j)}, "help.again_reset_judge_the_weld"}}};
-    const std::array<Shortcut, 4> orbit{{{{a, "  ", d}, "help.around_the_metal"},
-                                         {{w, "  ", s}, "help.over_and_under_it"},
-                                         {{q, "  ", e}, "help.nearer_and_farther"},
-                                         {{phrase("help.key.wheel")}, "help.nearer_and_farther"}}};
-    shortcutColumn(context, phrase("help.heading.torch").c_str(), torch);
-    shortcutColumn(context, phrase("help.heading.metal").c_str(), heat);
-    shortcutColumn(context, phrase("help.heading.camera").c_str(), orbit);
-}
-
-/// Draws the right half of the help page.
-void programKeys(Context& context) {
-    const std::string_view a = context.key(Key::a), d = context.key(Key::d), e = context.key(Key::e),
-                           q = context.key(Key::q), s = context.key(Key::s), w = context.key(Key::w);
-    const std::array<Shortcut, 4> fly{{{{phrase("help.key.mouse")}, "help.look"},
-                                       {{w, "  ", s}, "help.forwards_and_back"},
-                                       {{a, "  ", d}, "help.to_the_sides"},
-                                       {{q, "  ", e}, "help.down_and_up"}}};
-    const std::array<Shortcut, 10> program{
-        {{context.key(Key::v), "help.work_or_pause_and_look_around"},
-         {context.key(Key::h), "help.home_all_lessons"},
-         {{context.key(Key::c), "  ", phrase("help.key.escape")}, "help.catch_or_free_the_mouse"},
-         {"F1", "help.this_page"},
-         {"F2  F3  F4", "help.view_machine_timings"},
-         {{phrase("help.key.tab")}, "help.hide_and_show_all_panels"},
-         {"F10  F12", "help.save_the_window_the_metal_in_4k"},
-         {"F6", "help.view_of_the_headset"},
-         {"F11", "help.full_screen"},
-         {{phrase("help.key.arrows_enter")}, "help.in_the_list_of_lessons"}}};
-    shortcutColumn(context, phrase("help.heading.camera_free").c_str(), fly);
-    shortcutColumn(context, phrase("help.heading.program").c_str(), program);
 }
 
 } // namespace
@@ -187,7 +146,7 @@ void viewMenu(Context& context, std::span<const ParameterSection* const> section
          {"view", "Light", {"ambient", "diffuse", "specular", "shininess", "exposure", "light_position"}, false},
          {"controls",
           "Torch at the desk",
-          {"torch_mouse_mm", "gamepad_speed_mm_s", "guide_speed_mm_s", "hand_tremor"},
+          {"torch_mouse_mm", "key_speed_mm_s", "gamepad_speed_mm_s", "guide_speed_mm_s", "hand_tremor"},
           false},
          {"sound", "Sound", {"volume", "captions"}, false},
          {"surface", "Expert: surface", {"influence", "iso_level", "caps"}, false},
@@ -254,7 +213,7 @@ void timingsPanel(Context& context, const gl::Profiler& profiler, const LessonFi
     ImGui::End();
 }
 
-void helpOverlay(Context& context, bool& open) {
+void helpOverlay(Context& context, bool& open, const KeySituation& now) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     constexpr ImGuiWindowFlags kStill = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                         ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
@@ -279,11 +238,14 @@ void helpOverlay(Context& context, bool& open) {
     ImGui::PopStyleColor();
     ImGui::PopStyleVar();
     ImGui::Columns(narrow ? 1 : 2, "help columns", false);
-    torchKeys(context);
-    if (!narrow) ImGui::NextColumn();
-    programKeys(context);
+    const KeyGuide guide(now);
+    for (const KeyHeading heading : {KeyHeading::torch, KeyHeading::playing, KeyHeading::weld})
+        keyColumn(context, guide, heading);
+    if (!narrow && now.lesson) ImGui::NextColumn();
+    for (const KeyHeading heading : {KeyHeading::camera, KeyHeading::looking, KeyHeading::program})
+        keyColumn(context, guide, heading);
     ImGui::Columns(1);
-    quietText(context, phrase("help.more"));
+    quietText(context, phrase(now.lesson ? "help.more" : "help.more_before"));
     ImGui::Dummy({0, context.points(4)});
     if (button(context, "help.close", phrase("help.close").c_str(), ButtonKind::main, 140)) open = false;
     ImGui::End();

@@ -9,6 +9,7 @@
 #include "app/session/menu_state.hpp"
 #include "app/session/messages.hpp"
 #include "app/session/parameter_section.hpp"
+#include "app/ui/key_guide.hpp"
 #include "app/ui/widgets.hpp"
 #include "core/gl/profiler.hpp"
 #include "core/render/scene.hpp"
@@ -36,7 +37,8 @@ MenuRequest startMenu(Context& context, LessonSession& session, Home& home, cons
 /// Draws the values that are set before the start, inside the current window.
 void setupPart(Context& context, LessonSession& session);
 MenuRequest topBar(Context& context, PanelState& panels, const Controls& controls, const LessonSession& session);
-void statusBar(Context& context, const LessonFigures& figures, const Controls& controls);
+/// Draws the keys for what the person does now, as many as fit, and the figures.
+void statusBar(Context& context, const LessonFigures& figures, const KeySituation& now);
 /// Draws the caption of sounds above the status bar in the middle of the uncovered width; `left`, `right`: width
 /// covered by panels, points.
 void captionLine(Context& context, std::string_view caption, float left, float right);
@@ -63,8 +65,8 @@ MenuRequest attemptList(Context& context, Home& home, Activities& activities, si
 void comparisonPart(Context& context, Activities& activities);
 /// Width of the result panel with its gap to the picture; points.
 float resultReach(const Context& context);
-/// Draws the judged attempt at the left: score, corrections, verdict, measured weld.
-MenuRequest resultPanel(Context& context, LessonSession& session, const Home& home);
+/// Draws the judged attempt at the left: score, corrections, verdict, measured weld. `fromTop`: scrolls to its top.
+MenuRequest resultPanel(Context& context, LessonSession& session, const Home& home, bool fromTop);
 /// Draws score and verdict of the judged attempt inside the current window.
 void resultHead(Context& context, const LessonSession& session, const Home& home);
 /// Surroundings of the result: the panel draws resultHead() and the way home itself.
@@ -84,7 +86,8 @@ void timingsPanel(Context& context, const gl::Profiler& profiler, const LessonFi
 void questionOverlay(Context& context, Question& question);
 /// Draws a question inside the current window, for the headset's panel.
 void questionPart(Context& context, Question& question);
-void helpOverlay(Context& context, bool& open);
+/// Draws the help page: all keys for what the person does now.
+void helpOverlay(Context& context, bool& open, const KeySituation& now);
 /// Draws the messages at the top. `left`, `right`: width covered by panels there, points. A click hides a message.
 void messageStack(Context& context, Messages& messages, float left, float right);
 /// Draws the colour scale of the temperature displays; `colours` is LookParameters::colours. `left`: width covered by

@@ -185,7 +185,7 @@ MenuRequest resultPart(Context& context, LessonSession& session, const Home& hom
     return request;
 }
 
-MenuRequest resultPanel(Context& context, LessonSession& session, const Home& home) {
+MenuRequest resultPanel(Context& context, LessonSession& session, const Home& home, bool fromTop) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float gap = context.points(10);
     const float width = std::min(context.points(kResultWidth), screen.x - 2 * gap);
@@ -194,6 +194,7 @@ MenuRequest resultPanel(Context& context, LessonSession& session, const Home& ho
     ImGui::Begin("result", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+    if (fromTop) ImGui::SetScrollY(0);
     strongText(context, phrase("result.heading"));
     const MenuRequest request = resultPart(context, session, home, ResultPlace::window);
     ImGui::End();

@@ -31,12 +31,12 @@ TEST_CASE("validate prints and keeps every number", "[app]") {
     CHECK(outcome.code == 0);
     CHECK_THAT(outcome.output, containsText("temperature_at_2mm_k"));
     CHECK_THAT(outcome.output, containsText("2 of 2 cases passed"));
-    const auto json = nlohmann::json::parse(readTextFile(file));
-    CHECK(json["passed"] == true);
-    REQUIRE(json["cases"].size() == 2);
-    CHECK(json["cases"][0]["kind"] == "conduction_step");
-    CHECK(json["cases"][1]["numbers"][0]["name"] == "front_mm");
-    CHECK(json["cases"][1]["numbers"][0]["reference"].get<double>() == Approx(4.543).margin(1e-3));
+    const auto results = nlohmann::json::parse(readTextFile(file));
+    CHECK(results["passed"] == true);
+    REQUIRE(results["cases"].size() == 2);
+    CHECK(results["cases"][0]["kind"] == "conduction_step");
+    CHECK(results["cases"][1]["numbers"][0]["name"] == "front_mm");
+    CHECK(results["cases"][1]["numbers"][0]["reference"].get<double>() == Approx(4.543).margin(1e-3));
 }
 
 TEST_CASE("validate runs the cases of a folder, by name", "[app]") {
@@ -49,11 +49,11 @@ TEST_CASE("validate runs the cases of a folder, by name", "[app]") {
     const auto outcome =
         runMeltpool("validate" + quoted(cases) + quoted(shippedCase("conduction_flux")) + "--json" + quoted(file));
     CHECK(outcome.code == 0);
-    const auto json = nlohmann::json::parse(readTextFile(file));
-    REQUIRE(json["cases"].size() == 3);
-    CHECK(json["cases"][0]["kind"] == "conduction_step");
-    CHECK(json["cases"][1]["kind"] == "stefan_two_phase");
-    CHECK(json["cases"][2]["kind"] == "conduction_flux");
+    const auto results = nlohmann::json::parse(readTextFile(file));
+    REQUIRE(results["cases"].size() == 3);
+    CHECK(results["cases"][0]["kind"] == "conduction_step");
+    CHECK(results["cases"][1]["kind"] == "stefan_two_phase");
+    CHECK(results["cases"][2]["kind"] == "conduction_flux");
     std::filesystem::create_directory(folder / "none");
     const auto empty = runMeltpool("validate" + quoted(folder / "none"));
     CHECK(empty.code == 2);
@@ -96,15 +96,15 @@ TEST_CASE("validate keeps what it has when a case ends early, and goes on with t
     CHECK(outcome.code == 2);
     CHECK_THAT(outcome.errors, containsText("weak arc.toml: [case]: the arc burned for less than half of its time"));
     CHECK_THAT(outcome.output, containsText("2 of 3 cases passed"));
-    const auto json = nlohmann::json::parse(readTextFile(file));
-    REQUIRE(json["cases"].size() == 3);
-    CHECK(json["complete"] == true);
-    CHECK(json["passed"] == false);
-    CHECK(json["cases"][0]["passed"] == true);
-    CHECK(json["cases"][1]["passed"] == false);
-    CHECK_THAT(json["cases"][1]["error"].get<std::string>(), containsText("burned for less than half"));
-    CHECK(json["cases"][1]["numbers"][0]["name"] == "current_a"); // results of finished cases
-    CHECK(json["cases"][2]["passed"] == true);
+    const auto results = nlohmann::json::parse(readTextFile(file));
+    REQUIRE(results["cases"].size() == 3);
+    CHECK(results["complete"] == true);
+    CHECK(results["passed"] == false);
+    CHECK(results["cases"][0]["passed"] == true);
+    CHECK(results["cases"][1]["passed"] == false);
+    CHECK_THAT(results["cases"][1]["error"].get<std::string>(), containsText("burned for less than half"));
+    CHECK(results["cases"][1]["numbers"][0]["name"] == "current_a"); // results of finished cases
+    CHECK(results["cases"][2]["passed"] == true);
 }
 
 TEST_CASE("validate says where its JSON cannot be written, and puts no file in a device's place", "[app]") {

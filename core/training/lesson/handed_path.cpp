@@ -1,6 +1,7 @@
 #include "core/training/lesson/handed_path.hpp"
 
 #include "core/training/judging/seam.hpp"
+#include "core/weld/workpiece/position.hpp"
 
 #include <cmath>
 
@@ -9,6 +10,7 @@ namespace meltpool {
 namespace {
 
 constexpr double kUpright = 5; // degrees
+constexpr float kLevel = 0.5F; // sine of the steepest seam that is welded to either side
 
 /// Returns the path's own direction along x: +1, -1, or 0 for a path that never welds.
 int directionOf(const TorchPath& path) {
@@ -25,7 +27,10 @@ int directionOf(const TorchPath& path) {
 
 int directionForHand(const Lesson& lesson, WeldingHand hand) {
     if (lesson.model != LessonModel::Weld || !lesson.technique) return 0;
-    if (lesson.technique->direction != TravelDirection::either || seamOf(lesson.workpiece).closed()) return 0;
+    const Seam seam = seamOf(lesson.workpiece);
+    if (lesson.technique->direction != TravelDirection::either || seam.closed()) return 0;
+    const glm::vec3 way = fixtureOf(lesson.workpiece).turn * glm::vec3(seam.at(0).tangent);
+    if (std::abs(way.y) > kLevel) return 0;
     const TechniqueBand* travel = lesson.technique->find(TechniqueQuantity::travelAngle);
     if (travel == nullptr || std::abs(travel->ideal) < kUpright) return 0;
     const bool pushes = travel->ideal > 0;

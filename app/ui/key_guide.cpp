@@ -1,0 +1,200 @@
+#include "app/ui/key_guide.hpp"
+
+#include "core/base/words.hpp"
+
+namespace meltpool::ui {
+
+namespace {
+
+KeyRow keys(KeyHeading heading, std::initializer_list<Key> used, std::string_view what, std::string_view hint = {},
+            std::string_view name = {}) {
+    KeyRow row{.heading = heading, .name = name, .what = what, .hint = hint};
+    for (const Key key : used)
+        row.keys[row.count++] = key;
+    return row;
+}
+
+/// Returns a row of the mouse or the wheel.
+KeyRow mouse(KeyHeading heading, std::string_view name, std::string_view what, std::string_view hint = {}) {
+    return keys(heading, {}, what, hint, name);
+}
+
+/// Returns the name of a key that is no letter.
+std::string_view nameOf(Key key) {
+    switch (key) {
+    case Key::escape:
+        return phrase("help.key.escape");
+    case Key::enter:
+        return phrase("help.key.enter");
+    case Key::backspace:
+        return phrase("help.key.backspace");
+    case Key::space:
+        return phrase("help.key.space");
+    case Key::tab:
+        return phrase("help.key.tab");
+    case Key::f1:
+        return "F1";
+    case Key::f2:
+        return "F2";
+    case Key::f3:
+        return "F3";
+    case Key::f4:
+        return "F4";
+    case Key::f5:
+        return "F5";
+    case Key::f6:
+        return "F6";
+    case Key::f10:
+        return "F10";
+    case Key::f11:
+        return "F11";
+    case Key::f12:
+        return "F12";
+    default: // arrow and page keys have a phrase for all of them
+        return {};
+    }
+}
+
+} // namespace
+
+KeySituation keySituation(const Controls& controls, LessonSession& session, bool home, bool headset) {
+    KeySituation now;
+    now.headset = headset;
+    now.home = home;
+    now.lesson = !home && session.running();
+    if (!now.lesson) return now;
+    const Activities& activities = session.activities();
+    const bool own = activities.allowed().ownTorch;
+    const bool weld = session.lesson().model == LessonModel::Weld;
+    now.looking = controls.mode() == Mode::view;
+    now.caught = controls.captured();
+    now.demonstration = activities.at(activities.demonstration);
+    now.replay = activities.at(activities.replay);
+    now.cut = session.picture().cut().shown();
+    now.seam = own && session.deskTorch().leads();
+    now.source = own && !now.seam;
+    now.cold = now.source && !weld;
+    now.arc = weld && isArcWelding(session.lesson().process);
+    now.rod = now.seam && session.deskTorch().hasRod();
+    now.judges = session.judges();
+    now.next = now.judges && session.attempt().judged() && !session.lesson().next.empty();
+    now.redoes = now.judges && !session.values().forScore();
+    return now;
+}
+
+void KeyGuide::add(const KeyRow& row) {
+    rows_[count_++] = row;
+}
+
+KeyGuide::KeyGuide(const KeySituation& now) {
+    if (now.demonstration || now.replay || now.cut) addPlaying(now);
+    if (!now.looking && !now.cut) addTorch(now);
+    if (now.lesson) addWeld(now);
+    if (now.lesson && !now.cut) addCamera(now);
+    addProgram(now);
+}
+
+void KeyGuide::addPlaying(const KeySituation& now) {
+    constexpr KeyHeading kHere = KeyHeading::playing;
+    if (now.cut) {
+        add(keys(kHere, {Key::left, Key::right}, "help.move_the_cut", "bar.hint.move_the_cut",
+                 "help.key.left_and_right"));
+        return;
+    }
+    add(keys(kHere, {Key::space}, "help.play_or_pause", "bar.hint.play_or_pause"));
+    add(keys(kHere, {Key::left, Key::right}, "help.to_another_moment", "bar.hint.to_another_moment",
+             "help.key.left_and_right"));
+    if (now.demonstration)
+        add(keys(kHere, {Key::enter, Key::f5}, "help.weld_it_yourself", "bar.hint.weld_it_yourself"));
+    else
+        add(keys(kHere, {Key::f5}, "help.weld_it_yourself", "bar.hint.weld_it_yourself"));
+}
+
+void KeyGuide::addTorch(const KeySituation& now) {
+    constexpr KeyHeading kHere = KeyHeading::torch;
+    if (!now.seam && !now.source) return;
+    add(keys(kHere, {Key::space}, now.arc ? "help.weld_while_held" : "help.heat_while_held",
+             now.arc ? "bar.hint.weld" : "bar.hint.heat", "help.key.left_button_or_space"));
+    if (now.rod) add(keys(kHere, {Key::r}, "help.dip_the_rod", "bar.hint.dip_the_rod"));
+    if (now.source) {
+        add(mouse(kHere, "help.key.mouse", "help.torch_sideways_and_up"));
+        add(mouse(kHere, "help.key.and_right_button", "help.torch_near_and_far", "bar.hint.near_and_far"));
+        add(keys(kHere, {Key::left, Key::right, Key::up, Key::down}, "help.torch_in_steps", {}, "help.key.arrow_keys"));
+        add(keys(kHere, {Key::pageUp, Key::pageDown}, "help.torch_up_and_down", {}, "help.key.page_keys"));
+        if (now.cold) add(keys(kHere, {Key::f}, "help.hot_or_cold_source"));
+        return;
+    }
+    add(mouse(kHere, "help.key.mouse", "help.torch_along_the_seam", "bar.hint.along_seam"));
+    add(keys(kHere, {Key::pageUp, Key::pageDown}, "help.torch_near_and_far", "bar.hint.arc_length",
+             "help.key.wheel_or_page_keys"));
+    add(keys(kHere, {Key::left, Key::right, Key::up, Key::down}, "help.lean_the_torch", "bar.hint.lean",
+             "help.key.arrow_keys"));
+    add(keys(kHere, {Key::shift}, "help.torch_along_the_seam", {}, "help.key.shift_arrows"));
+}
+
+void KeyGuide::addWeld(const KeySituation& now) {
+    constexpr KeyHeading kHere = KeyHeading::weld;
+    if (now.seam || now.source || now.looking)
+        add(keys(kHere, {Key::v}, now.looking ? "help.go_on" : "help.pause_and_look_around",
+                 now.looking ? "bar.hint.work" : "bar.hint.look_around"));
+    if (!now.demonstration && !now.replay) add(keys(kHere, {Key::f5}, "help.new_attempt"));
+    if (now.judges) add(keys(kHere, {Key::j}, "help.judge_the_weld"));
+    if (now.judges)
+        add(keys(kHere, {Key::x}, now.cut ? "help.close_the_cut" : "help.cut_the_weld_open",
+                 now.cut ? "bar.hint.close_the_cut" : ""));
+    if (now.next) add(keys(kHere, {Key::enter}, "help.next_lesson"));
+    if (now.redoes) add(keys(kHere, {Key::backspace}, "help.undo_the_last_seconds"));
+}
+
+void KeyGuide::addCamera(const KeySituation& now) {
+    if (now.looking) {
+        constexpr KeyHeading kHere = KeyHeading::looking;
+        add(mouse(kHere, "help.key.mouse", "help.look", now.caught ? "bar.hint.look" : ""));
+        add(keys(kHere, {Key::w, Key::s}, "help.forwards_and_back", "bar.hint.fly"));
+        add(keys(kHere, {Key::a, Key::d}, "help.to_the_sides"));
+        add(keys(kHere, {Key::q, Key::e}, "help.down_and_up"));
+    } else {
+        constexpr KeyHeading kHere = KeyHeading::camera;
+        add(keys(kHere, {Key::a, Key::d}, "help.around_the_metal"));
+        add(keys(kHere, {Key::w, Key::s}, "help.over_and_under_it"));
+        add(keys(kHere, {Key::q, Key::e}, "help.nearer_and_farther"));
+        if (!now.caught) add(mouse(kHere, "help.key.wheel", "help.nearer_and_farther"));
+    }
+    const bool torch = now.seam && !now.looking;
+    add(keys(KeyHeading::program, {Key::c, Key::escape}, "help.catch_or_free_the_mouse",
+             now.caught ? "bar.hint.free_mouse" : (torch ? "bar.hint.lock_to_torch" : "bar.hint.catch_mouse")));
+}
+
+void KeyGuide::addProgram(const KeySituation& now) {
+    constexpr KeyHeading kHere = KeyHeading::program;
+    if (now.home)
+        add(keys(kHere, {Key::left, Key::right, Key::up, Key::down}, "help.in_the_list_of_lessons", {},
+                 "help.key.arrows_enter"));
+    if (now.home) add(keys(kHere, {Key::tab}, "help.to_the_attempts"));
+    if (!now.home && !now.lesson) {
+        add(keys(kHere, {Key::enter}, "help.start_the_lesson"));
+        add(keys(kHere, {Key::tab}, "help.to_the_next_control"));
+    }
+    if (!now.home) add(keys(kHere, {Key::h}, "help.home_all_lessons"));
+    if (!now.home && !now.lesson) add(keys(kHere, {Key::escape}, "help.home_all_lessons"));
+    add(keys(kHere, {Key::f1}, "help.this_page", now.lesson ? "bar.hint.help" : ""));
+    if (now.lesson) {
+        add(keys(kHere, {Key::f2, Key::f3, Key::f4}, "help.view_machine_timings"));
+        add(keys(kHere, {Key::tab}, "help.hide_and_show_all_panels"));
+    }
+    if (now.headset) add(keys(kHere, {Key::f6}, "help.view_of_the_headset"));
+    add(keys(kHere, {Key::f10, Key::f12}, "help.save_the_window_the_metal_in_4k"));
+    add(keys(kHere, {Key::f11}, "help.full_screen"));
+}
+
+ShortText keyRowName(const Context& context, const KeyRow& row) {
+    if (!row.name.empty()) return {phrase(row.name)};
+    ShortText text;
+    for (const Key key : row.used()) {
+        if (!text.empty()) text += "  ";
+        text += key < Key::left ? context.key(key) : nameOf(key);
+    }
+    return text;
+}
+
+} // namespace meltpool::ui

@@ -1,0 +1,95 @@
+// The list of keys: every key that the window takes is named where it counts, and no other.
+#include "app/ui/key_guide.hpp"
+
+#include "app/desktop/desktop_actions.hpp"
+#include "core/base/words.hpp"
+#include "tests/desktop/parts/drawn_interface.hpp"
+#include "tests/support/catch.hpp"
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace meltpool::test {
+
+namespace {
+
+using ui::KeyGuide;
+using ui::KeyRow;
+using ui::KeySituation;
+
+std::vector<KeySituation> situations() {
+    const KeySituation weld{.lesson = true, .seam = true, .arc = true, .judges = true, .redoes = true};
+    std::vector<KeySituation> all(9, weld);
+    all[1].rod = true;
+    all[2].caught = true;
+    all[3].looking = true;
+    all[4].headset = all[4].next = true;
+    all[5] = {.lesson = true, .source = true, .cold = true};
+    all[6] = {.lesson = true, .demonstration = true};
+    all[7] = {.lesson = true, .replay = true};
+    all[8] = {.lesson = true, .cut = true, .seam = true, .arc = true, .judges = true};
+    all.push_back({.home = true});
+    all.push_back({});
+    return all;
+}
+
+bool has(const KeyGuide& guide, Key key, bool inBar = false) {
+    return std::any_of(guide.rows().begin(), guide.rows().end(), [&](const KeyRow& row) {
+        return std::find(row.used().begin(), row.used().end(), key) != row.used().end() && (!inBar || !row.hint.empty());
+    });
+}
+
+bool tells(const KeyGuide& guide, std::string_view what) {
+    return std::any_of(guide.rows().begin(), guide.rows().end(), [&](const KeyRow& row) { return row.what == what; });
+}
+
+} // namespace
+
+TEST_CASE("every key of the window is named in the help of some situation, and once in each") {
+    DrawnInterface interface;
+    std::set<Key> named;
+    for (const KeySituation& now : situations()) {
+        std::set<Key> here;
+        const KeyGuide guide(now);
+        for (const KeyRow& row : guide.rows()) {
+            INFO(row.what);
+            CHECK_FALSE(phrase(row.what).empty());
+            if (!row.hint.empty()) CHECK_FALSE(phrase(row.hint).empty());
+            interface.draw([&](ui::Context& context) { CHECK_FALSE(keyRowName(context, row).empty()); });
+            for (const Key key : row.used()) {
+                INFO("key " << static_cast<int>(key));
+                CHECK(here.insert(key).second);
+                named.insert(key);
+            }
+        }
+    }
+    CHECK(named.size() == static_cast<size_t>(Key::count));
+    for (const DesktopAction& action : desktopActions())
+        if (action.key) {
+            INFO(action.name);
+            CHECK(named.count(*action.key) == 1);
+        }
+}
+
+TEST_CASE("the bar names what the activity uses and nothing else") {
+    const std::vector<KeySituation> all = situations();
+    const KeyGuide weld(all[0]), rod(all[1]), classic(all[5]), demonstration(all[6]), cut(all[8]);
+    CHECK(has(rod, Key::r, true));
+    CHECK_FALSE(has(weld, Key::r));
+    CHECK(tells(weld, "help.weld_while_held"));
+    CHECK_FALSE(tells(weld, "help.heat_while_held"));
+    CHECK_FALSE(has(weld, Key::f)); // the flame's key
+    CHECK(has(classic, Key::f));
+    CHECK(tells(classic, "help.heat_while_held"));
+    for (const KeyGuide& played : {demonstration, cut}) {
+        CHECK_FALSE(tells(played, "help.heat_while_held"));
+        CHECK_FALSE(tells(played, "help.weld_while_held"));
+    }
+    CHECK(has(demonstration, Key::space, true));
+    CHECK(has(cut, Key::x, true));
+    CHECK(has(weld, Key::backspace));
+}
+
+} // namespace meltpool::test
