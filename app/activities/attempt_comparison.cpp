@@ -55,7 +55,8 @@ void AttemptComparison::end() {
     fault_.clear();
 }
 
-AttemptComparison::SharedAttempt AttemptComparison::known(const std::filesystem::path& file, std::uintmax_t bytes) const {
+AttemptComparison::SharedAttempt AttemptComparison::known(const std::filesystem::path& file,
+                                                          std::uintmax_t bytes) const {
     const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const SharedAttempt& kept) {
         return kept->file == file && kept->bytes == bytes && bytes > 0;
     });

@@ -71,7 +71,8 @@ MenuRequest DesktopMenus::drawPanels(const DesktopMenuContent& content) {
     panels.result = panels.result && content.session.judges();
     closeOverlapping();
     if (panels.result)
-        if (const MenuRequest asked = ui::resultPanel(context, content.session, content.home, std::exchange(resultFromTop_, false));
+        if (const MenuRequest asked =
+                ui::resultPanel(context, content.session, content.home, std::exchange(resultFromTop_, false));
             asked != MenuRequest::none)
             request = asked;
     if (panels.view) ui::viewMenu(context, content.viewSections);

@@ -287,11 +287,10 @@ void HeadsetFrontEnd::drawNotice(const LessonSession& session, const LessonFigur
     guarded([&] {
         xr::Headset& headset = *connection_.headset();
         const TrackedTorch& torch = hands_.torch();
-        notice_.place.update(!notice_.text.warnings().empty() || again_.holds() || !way.empty(),
-                             workshop_.toWorkshop(head()),
-                             torch.tracked() ? std::optional(torch.tip().position) : std::nullopt,
-                             parameters_.tableHeight, elapsed,
-                             panel_.open() ? std::optional(panel_.pose()) : std::nullopt);
+        notice_.place.update(
+            !notice_.text.warnings().empty() || again_.holds() || !way.empty(), workshop_.toWorkshop(head()),
+            torch.tracked() ? std::optional(torch.tip().position) : std::nullopt, parameters_.tableHeight, elapsed,
+            panel_.open() ? std::optional(panel_.pose()) : std::nullopt);
         const bool fresh = notice_.draw(headset.notice(), connection_.openings(), elapsed);
         const xr::Pose pose = workshop_.toSession(notice_.place.pose());
         headset.showNotice(pose, notice_.place.width(), fresh);

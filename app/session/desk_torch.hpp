@@ -47,10 +47,11 @@ class DeskTorch {
 
     /// Takes a frame's input. Mouse travel on the screen becomes travel along and across the seam; a wheel notch is 0.5
     /// mm of distance, an arrow key 1 degree of travel (left, right) or work angle (up, down), a page key 0.5 mm of
-    /// distance. Arrow keys held with Shift lead the torch on the screen at the keys' speed. A gamepad's left stick leads like the mouse and its right stick leans the handle on the screen; its
-    /// shoulders change the distance and its left trigger dips the rod. With a guide speed the torch travels by itself
-    /// while it welds, in the metal's time, up to the end of its range. `process`: settings now; a contact tip does not
-    /// move when the stick-out changes.
+    /// distance. Arrow keys held with Shift lead the torch on the screen at the keys' speed. A gamepad's left stick
+    /// leads like the mouse and its right stick leans the handle on the screen; its shoulders change the distance and
+    /// its left trigger dips the rod. With a guide speed the torch travels by itself while it welds, in the metal's
+    /// time, up to the end of its range. `process`: settings now; a contact tip does not move when the stick-out
+    /// changes.
     void update(const InputFrame& input, const DeskFrame& frame, const ControlParameters& parameters,
                 const ProcessSettings& process);
 

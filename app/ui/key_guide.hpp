@@ -1,4 +1,5 @@
-// The one list of keys, mouse and wheel for what the person does now: the status bar and the help page are made from it.
+// The one list of keys, mouse and wheel for what the person does now: the status bar and the help page are made from
+// it.
 #pragma once
 
 #include "app/session/controls.hpp"

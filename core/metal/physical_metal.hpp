@@ -115,7 +115,7 @@ class PhysicalMetal {
     std::unique_ptr<HeatSolver> heat_;
     std::unique_ptr<Flow> flow_;
     std::unique_ptr<RigidFragments> fragments_;
-    size_t capacity_ = 0;                 ///< particles that fit all buffers
+    size_t capacity_ = 0;             ///< particles that fit all buffers
     bool grows_ = true;               ///< false: the driver had no memory for more
     std::vector<MetalSeed> accepted_; ///< reused so that filler costs no allocation
     size_t refused_ = 0;

@@ -38,7 +38,7 @@ TEST_CASE("each kind of arc is struck at the desk by button and wheel alone", "[
         hand.scroll = 0;
         const double now = session.deskTorch().pose().distance;
         if (touches && hand.leftHeld && !touched) hand.scroll = -1; // down to the metal
-        if (touched && now < wanted) hand.scroll = 1;              // and up again
+        if (touched && now < wanted) hand.scroll = 1;               // and up again
         controls.update(hand, 1.0 / 45);
         session.advance(controls, 1.0 / 45, nullptr);
         const ArcState& arc = session.run().arc();

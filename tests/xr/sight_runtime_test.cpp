@@ -43,9 +43,8 @@ void follow(Trainee& trainee, TrainerProcess& trainer, const TorchPath& path, do
         REQUIRE(trainer.waitFor([&](const json& row) { return row["metal"]["time"] >= begin + at - from; }));
         // A gap of the runtime puts the arc out.
         if (trainer.now()["headset"]["trigger_locked"] == true)
-            REQUIRE(trainee.strike(trainer, sample.tip, [](const json& row) {
-                return row["headset"]["trigger_locked"] == false;
-            }));
+            REQUIRE(trainee.strike(trainer, sample.tip,
+                                   [](const json& row) { return row["headset"]["trigger_locked"] == false; }));
     }
 }
 
@@ -54,8 +53,8 @@ void follow(Trainee& trainee, TrainerProcess& trainer, const TorchPath& path, do
 TEST_CASE("pictures of both eyes at work, in each process, from three persons' heads", "[.][sight-pictures]") {
     handGeometry();
     const std::string name = GENERATE("gmaw-bead", "tee-fillet", "gtaw-bead", "smaw-bead", "solder-joint");
-    const Person person = GENERATE(Person{"155", 1.44F, 1}, Person{"195", 1.83F, 1}, Person{"seated", 1.2F, 1},
-                                   Person{"left", 1.6F, 0});
+    const Person person =
+        GENERATE(Person{"155", 1.44F, 1}, Person{"195", 1.83F, 1}, Person{"seated", 1.2F, 1}, Person{"left", 1.6F, 0});
     const Lesson lesson = readLesson(test::sourceFolder() / "app" / "data" / "lessons" / (name + ".toml"));
     Trainee trainee;
     trainee.hand = person.hand;

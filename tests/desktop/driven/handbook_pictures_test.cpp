@@ -1,5 +1,5 @@
-// Takes the handbook's pictures of the window again, into the folder $MELTPOOL_HANDBOOK_PICTURES. Not among the ordinary
-// tests: look at the pictures before you copy them to app/handbook.
+// Takes the handbook's pictures of the window again, into the folder $MELTPOOL_HANDBOOK_PICTURES. Not among the
+// ordinary tests: look at the pictures before you copy them to app/handbook.
 //   MELTPOOL_HANDBOOK_PICTURES=FOLDER build/release/bin/test_desktop "[handbook-pictures]"
 #include "tests/desktop/driven/driver.hpp"
 #include "tests/support/catch.hpp"
@@ -32,8 +32,7 @@ void keep(TrainerWindow& window, const std::string& name) {
     window.settle();
     const fs::path taken = window.takePicture("handbook-" + name);
     INFO("scaling needs the package imagemagick");
-    REQUIRE(runCommand({"convert", taken.string(), "-resize", "960x540",
-                        (fs::path(folder) / (name + ".png")).string()},
+    REQUIRE(runCommand({"convert", taken.string(), "-resize", "960x540", (fs::path(folder) / (name + ".png")).string()},
                        {}) == 0);
 }
 
@@ -188,9 +187,8 @@ TEST_CASE("pictures of a weld: machine, cues, ghost, result, cut, replay and com
     keep(window, "comparison");
     window.click("comparison.back");
     window.click("home.attempt.1.play");
-    window.waitFor("the attempt's end", [](const json& s) {
-        return !s.at("replay").is_null() && s.at("replay").at("over") == true;
-    });
+    window.waitFor("the attempt's end",
+                   [](const json& s) { return !s.at("replay").is_null() && s.at("replay").at("over") == true; });
     window.pull("replay.time", 0.6);
     window.waitFor("that moment", [](const json& s) { return s.at("replay").at("seeking") == false; });
     keep(window, "replay");

@@ -37,7 +37,8 @@ std::vector<KeySituation> situations() {
 
 bool has(const KeyGuide& guide, Key key, bool inBar = false) {
     return std::any_of(guide.rows().begin(), guide.rows().end(), [&](const KeyRow& row) {
-        return std::find(row.used().begin(), row.used().end(), key) != row.used().end() && (!inBar || !row.hint.empty());
+        return std::find(row.used().begin(), row.used().end(), key) != row.used().end() &&
+               (!inBar || !row.hint.empty());
     });
 }
 

@@ -53,13 +53,20 @@ TEST_CASE("ISO 5817: limits are the table's formulas", "[acceptance]") {
         double d, c, b; ///< limits for b 8, a 4, t 6
     };
     const auto fillet = WeldKind::fillet, butt = WeldKind::butt;
-    const std::vector<Row> rows{{"undercut", fillet, 1, 0.5, 0.3},      {"excess_weld_metal", butt, 3, 2.2, 1.8},
-                                {"convexity", fillet, 3, 2.2, 1.8},     {"excess_penetration", butt, 5, 4, 2.6},
-                                {"toe_angle", butt, 90, 110, 150},      {"toe_angle", fillet, 90, 100, 110},
-                                {"overlap", fillet, 1.6, 0, 0},         {"excessive_asymmetry", fillet, 2.8, 2.6, 2.1},
-                                {"linear_misalignment", butt, 1.5, 0.9, 0.6}, {"joint_gap", fillet, 2.2, 1.3, 0.9},
-                                {"surface_pore", fillet, 1.2, 0.8, 0},  {"crack", fillet, 0, 0, 0},
-                                {"lack_of_fusion", butt, 0, 0, 0},      {"burn_through", WeldKind::bead, 0, 0, 0}};
+    const std::vector<Row> rows{{"undercut", fillet, 1, 0.5, 0.3},
+                                {"excess_weld_metal", butt, 3, 2.2, 1.8},
+                                {"convexity", fillet, 3, 2.2, 1.8},
+                                {"excess_penetration", butt, 5, 4, 2.6},
+                                {"toe_angle", butt, 90, 110, 150},
+                                {"toe_angle", fillet, 90, 100, 110},
+                                {"overlap", fillet, 1.6, 0, 0},
+                                {"excessive_asymmetry", fillet, 2.8, 2.6, 2.1},
+                                {"linear_misalignment", butt, 1.5, 0.9, 0.6},
+                                {"joint_gap", fillet, 2.2, 1.3, 0.9},
+                                {"surface_pore", fillet, 1.2, 0.8, 0},
+                                {"crack", fillet, 0, 0, 0},
+                                {"lack_of_fusion", butt, 0, 0, 0},
+                                {"burn_through", WeldKind::bead, 0, 0, 0}};
     const Acceptance d = shipped("iso5817-d"), c = shipped("iso5817-c"), b = shipped("iso5817-b");
     for (const Row& row : rows) {
         INFO(row.imperfection);
