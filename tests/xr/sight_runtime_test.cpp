@@ -1,7 +1,7 @@
 // Takes pictures of both eyes at work: each process with its arc burning, seen by three persons and a left-handed one.
 // Not among the ordinary tests: somebody has to look at the pictures, where the pool must be free.
 // Full size needs MELTPOOL_XR_SCREEN=2560x1440x24 and XRT_COMPOSITOR_XCB_FULLSCREEN=1 in the environment:
-//   MELTPOOL_XR_PICTURES=FOLDER tests/xr/run_on_monado.sh build/release/bin/test_xr_runtime "[sight-pictures]"
+//   MELTPOOL_XR_PICTURES=FOLDER tests/xr/run_on_monado.sh build/release/bin/test_xr_runtime "[pictures]"
 #include "core/training/lesson/lesson.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/places.hpp"
@@ -50,7 +50,7 @@ void follow(Trainee& trainee, TrainerProcess& trainer, const TorchPath& path, do
 
 } // namespace
 
-TEST_CASE("pictures of both eyes at work, in each process, from three persons' heads", "[.][sight-pictures]") {
+TEST_CASE("pictures of both eyes at work, in each process, from three persons' heads", "[.][pictures]") {
     handGeometry();
     const std::string name = GENERATE("gmaw-bead", "tee-fillet", "gtaw-bead", "smaw-bead", "solder-joint");
     const Person person =

@@ -1,6 +1,6 @@
 // Takes the handbook's pictures of the window again, into the folder $MELTPOOL_HANDBOOK_PICTURES. Not among the
 // ordinary tests: look at the pictures before you copy them to app/handbook.
-//   MELTPOOL_HANDBOOK_PICTURES=FOLDER build/release/bin/test_desktop "[handbook-pictures]"
+//   MELTPOOL_HANDBOOK_PICTURES=FOLDER build/release/bin/test_desktop "[pictures]"
 #include "tests/desktop/driven/driver.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
@@ -109,7 +109,7 @@ class EvenHand {
 
 } // namespace
 
-TEST_CASE("pictures of home, a lesson's page, a demonstration and the view menu", "[.][handbook-pictures]") {
+TEST_CASE("pictures of home, a lesson's page, a demonstration and the view menu", "[.][pictures]") {
     VirtualDisplay display(96, 1280, 720);
     TrainerWindow window("handbook-home", {.settings = settingsWith(""), .lesson = "", .display = &display});
     waitForPage(window, "home");
@@ -143,7 +143,7 @@ TEST_CASE("pictures of home, a lesson's page, a demonstration and the view menu"
     keep(window, "view-menu");
 }
 
-TEST_CASE("pictures of a weld: machine, cues, ghost, result, cut, replay and comparison", "[.][handbook-pictures]") {
+TEST_CASE("pictures of a weld: machine, cues, ghost, result, cut, replay and comparison", "[.][pictures]") {
     VirtualDisplay display(96, 1280, 720);
     TrainerWindow window("handbook-weld", {.settings = settingsWith(""), .lesson = "tee-fillet", .display = &display});
     window.start();
