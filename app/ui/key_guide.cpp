@@ -89,6 +89,7 @@ void KeyGuide::add(const KeyRow& row) {
 KeyGuide::KeyGuide(const KeySituation& now) {
     if (now.demonstration || now.replay || now.cut) addPlaying(now);
     if (!now.looking && !now.cut) addTorch(now);
+    if (now.lesson && !now.cut) addMouse(now);
     if (now.lesson) addWeld(now);
     if (now.lesson && !now.cut) addCamera(now);
     addProgram(now);
@@ -160,6 +161,9 @@ void KeyGuide::addCamera(const KeySituation& now) {
         add(keys(kHere, {Key::q, Key::e}, "help.nearer_and_farther"));
         if (!now.caught) add(mouse(kHere, "help.key.wheel", "help.nearer_and_farther"));
     }
+}
+
+void KeyGuide::addMouse(const KeySituation& now) {
     const bool torch = now.seam && !now.looking;
     add(keys(KeyHeading::program, {Key::c, Key::escape}, "help.catch_or_free_the_mouse",
              now.caught ? "bar.hint.free_mouse" : (torch ? "bar.hint.lock_to_torch" : "bar.hint.catch_mouse")));

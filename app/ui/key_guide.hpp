@@ -59,6 +59,7 @@ class KeyGuide {
     void addTorch(const KeySituation& now);
     void addPlaying(const KeySituation& now);
     void addWeld(const KeySituation& now);
+    void addMouse(const KeySituation& now);
     void addCamera(const KeySituation& now);
     void addProgram(const KeySituation& now);
 
