@@ -55,15 +55,16 @@ class EvenHand {
         movedBy({-kTrialPixels, -kTrialPixels});
         window_.xdotool({"mousedown", "1"});
         const json now = window_.waitFor("the arc", [](const json& s) { return s.at("torch").at("trigger") > 0.5; });
-        from_ = placeOf(now);
+        from_ = placeOf(now).x;
         begin_ = now.at("metal").at("time");
     }
 
     /// Welds until the metal's time is `seconds` after the first pull.
     void weld(double seconds) {
         for (json now = window_.settle(); timeOf(now) < seconds; now = window_.settle()) {
-            const glm::dvec2 off = from_ + glm::dvec2(speed_ * timeOf(now), 0) - placeOf(now);
-            move(glm::ivec2(glm::round(pixelsPerMm_ * glm::clamp(off, -2.0, 2.0))));
+            // Across the seam the hand rests: the torch itself rises with the pool, there too.
+            const double off = from_ + speed_ * timeOf(now) - placeOf(now).x;
+            move(glm::ivec2(glm::round(pixelsPerMm_ * glm::dvec2(glm::clamp(off, -2.0, 2.0), 0))));
         }
     }
 
@@ -102,8 +103,7 @@ class EvenHand {
     }
 
     TrainerWindow& window_;
-    double speed_, begin_ = 0;
-    glm::dvec2 from_{};
+    double speed_, begin_ = 0, from_ = 0;
     glm::dmat2 pixelsPerMm_{1};
 };
 
