@@ -58,6 +58,7 @@ void DesktopApp::replayByKeys(const InputFrame& input) {
 /// Handles the key of a judged attempt: Enter for the next lesson.
 void DesktopApp::goOnByKeys(const InputFrame& input) {
     if (menus_.panels.help || !menus_.panels.result || !session_.attempt().judged() || session_.welds()) return;
+    if (session_.question().asked() || seats_.question(Seat::desk).asked()) return;
     if (std::find(input.struck.begin(), input.struck.end(), Key::enter) != input.struck.end()) act(MenuRequest::next);
 }
 

@@ -51,7 +51,7 @@ void Controls::work(const InputFrame& input, float seconds) {
     const float turn = kOrbitSpeed * parameters.cameraSpeed * seconds;
     orbit_.orbit({axis(input, Key::d, Key::a) * turn, axis(input, Key::w, Key::s) * turn});
     const float away = axis(input, Key::e, Key::q) * kApproachSpeed * parameters.cameraSpeed * seconds;
-    const bool wheelForTorch = leadsTorch_ && (captured_ || input.leftHeld);
+    const bool wheelForTorch = leadsTorch_ && (captured_ || input.leftHeld || input.isHeld(Key::space));
     orbit_.approach(std::exp(away - (wheelForTorch ? 0 : input.scroll) * kNotch));
 
     hand_ = input;

@@ -2,6 +2,8 @@
 
 #include "core/base/words.hpp"
 
+#include <utility>
+
 namespace meltpool::ui {
 
 namespace {
@@ -19,40 +21,27 @@ KeyRow mouse(KeyHeading heading, std::string_view name, std::string_view what, s
     return keys(heading, {}, what, hint, name);
 }
 
-/// Returns the name of a key that is no letter.
+/// Returns the name of a key that is no letter; empty for arrow, page and shift keys, whose rows have a phrase.
 std::string_view nameOf(Key key) {
-    switch (key) {
-    case Key::escape:
-        return phrase("help.key.escape");
-    case Key::enter:
-        return phrase("help.key.enter");
-    case Key::backspace:
-        return phrase("help.key.backspace");
-    case Key::space:
-        return phrase("help.key.space");
-    case Key::tab:
-        return phrase("help.key.tab");
-    case Key::f1:
-        return "F1";
-    case Key::f2:
-        return "F2";
-    case Key::f3:
-        return "F3";
-    case Key::f4:
-        return "F4";
-    case Key::f5:
-        return "F5";
-    case Key::f6:
-        return "F6";
-    case Key::f10:
-        return "F10";
-    case Key::f11:
-        return "F11";
-    case Key::f12:
-        return "F12";
-    default: // arrow and page keys have a phrase for all of them
-        return {};
-    }
+    static constexpr std::array<std::pair<Key, std::string_view>, 9> kFunctionKeys{{{Key::f1, "F1"},
+                                                                                    {Key::f2, "F2"},
+                                                                                    {Key::f3, "F3"},
+                                                                                    {Key::f4, "F4"},
+                                                                                    {Key::f5, "F5"},
+                                                                                    {Key::f6, "F6"},
+                                                                                    {Key::f10, "F10"},
+                                                                                    {Key::f11, "F11"},
+                                                                                    {Key::f12, "F12"}}};
+    static constexpr std::array<std::pair<Key, std::string_view>, 5> kNamedKeys{{{Key::escape, "help.key.escape"},
+                                                                                 {Key::enter, "help.key.enter"},
+                                                                                 {Key::backspace, "help.key.backspace"},
+                                                                                 {Key::space, "help.key.space"},
+                                                                                 {Key::tab, "help.key.tab"}}};
+    for (const auto& [which, name] : kFunctionKeys)
+        if (which == key) return name;
+    for (const auto& [which, name] : kNamedKeys)
+        if (which == key) return phrase(name);
+    return {};
 }
 
 } // namespace

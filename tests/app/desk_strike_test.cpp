@@ -3,7 +3,6 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
-#include <cmath>
 #include <string>
 
 using namespace meltpool;

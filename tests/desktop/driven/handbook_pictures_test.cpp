@@ -23,7 +23,7 @@ std::string settingsWith(const std::string& more) {
     return "[window]\nwidth = 1280\nheight = 720\npicture = \"full\"\n" + more;
 }
 
-/// Scales the window's picture to the handbook's width, with few colours.
+/// Scales the window's picture to the handbook's width.
 void keep(TrainerWindow& window, const std::string& name) {
     const char* folder = std::getenv("MELTPOOL_HANDBOOK_PICTURES");
     REQUIRE(folder != nullptr);

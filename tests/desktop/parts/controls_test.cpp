@@ -115,6 +115,25 @@ TEST_CASE("the source is on only while the left button is held and the person wo
     CHECK_FALSE(controls.source().on());
 }
 
+TEST_CASE("with a torch the wheel is its own while button or space bar weld, else the camera's") {
+    for (const bool space : {false, true}) {
+        Controls controls;
+        controls.leadTorch(true);
+        const float before = glm::length(controls.eye());
+        InputFrame input = space ? held(Key::space) : InputFrame();
+        input.leftHeld = !space;
+        input.scroll = 1;
+        controls.update(input, 0.02);
+        CHECK(controls.hand().scroll == 1);
+        CHECK(glm::length(controls.eye()) == Approx(before));
+        InputFrame free;
+        free.scroll = 1;
+        controls.update(free, 0.02);
+        CHECK(controls.hand().scroll == 0);
+        CHECK(glm::length(controls.eye()) < before);
+    }
+}
+
 TEST_CASE("a free mouse moves the source only with a button down, a captured one always") {
     Controls controls;
     InputFrame input;

@@ -1,4 +1,4 @@
-// The list of keys: every key that the window takes is named where it counts, and no other.
+// The list of keys: every key of the window is named, once in each situation, and the bar follows the activity.
 #include "app/ui/key_guide.hpp"
 
 #include "app/desktop/desktop_actions.hpp"
