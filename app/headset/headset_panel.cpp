@@ -33,6 +33,7 @@ HeadsetPanel::HeadsetPanel(int width, int height, Ground ground, float scale)
     io.DisplaySize = {float(width), float(height)};
     context_.scale = scale;
     context_.tooltipsAtEdge = true;
+    context_.typing = false;
     context_.fonts = ui::loadFonts(scale, 1.0f);
     ui::applyTheme(scale);
     ImGui_ImplOpenGL3_Init("#version 450 core");

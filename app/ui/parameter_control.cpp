@@ -1,5 +1,6 @@
 // Draws the control of one described parameter: a slider for numbers, a switch, a row of choices, three fields for a
 // vector.
+#include "app/ui/number_entry.hpp"
 #include "app/ui/widgets.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace meltpool::ui {
 
@@ -87,41 +87,20 @@ std::string description(std::string_view table, const Parameter& p, std::string_
     return text;
 }
 
-struct TypedEntry {
-    std::string name; ///< name of the control with the text field; empty: none
-    char text[64] = {};
-    bool fresh = false;
-};
-TypedEntry typed;
+NumberEntry entry; ///< the one text field of the interface
 
-void startTyping(std::string_view name, double value) {
-    typed.name = name;
-    std::snprintf(typed.text, sizeof typed.text, "%s", formatNumber(value).c_str());
-    typed.fresh = true;
-}
+/// Value that a slider had before it was pressed: a double click opens the text field and changes nothing.
+struct {
+    std::string name;
+    double value = 0;
+} pressed;
 
-/// Draws the text field in place of a slider; returns true if a number was entered.
-bool typeNumber(double low, double high, double& value) {
-    if (typed.fresh) ImGui::SetKeyboardFocusHere();
-    ImGui::SetNextItemWidth(-1);
-    const bool entered = ImGui::InputText("##typed", typed.text, sizeof typed.text,
-                                          ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-    const bool left = !typed.fresh && ImGui::IsItemDeactivated();
-    typed.fresh = false;
-    if (!entered && !left) return false;
-    typed.name.clear();
-    std::string text(trimText(typed.text));
-    // The person types the mark that the slider shows.
-    if (decimalMark() == ",") std::replace(text.begin(), text.end(), ',', '.');
-    const auto number = parseDouble(text);
-    if (!number || !std::isfinite(*number)) return false;
-    value = std::clamp(*number, low, high);
-    return true;
+bool opensEntry(const Context& context) {
+    return context.typing && (ImGui::IsMouseDoubleClicked(0) || (ImGui::IsMouseClicked(0) && ImGui::GetIO().KeyCtrl));
 }
 
 /// Draws a thin track with a round handle. A double click or Ctrl and click opens the text field.
 bool slider(Context& context, std::string_view name, const Scale& scale, bool whole, double& value) {
-    if (typed.name == name) return typeNumber(scale.low, scale.high, value);
     const float width = ImGui::GetContentRegionAvail().x;
     const float height = context.points(20);
     const float radius = context.points(8);
@@ -132,9 +111,16 @@ bool slider(Context& context, std::string_view name, const Scale& scale, bool wh
     const bool hovered = ImGui::IsItemHovered();
     const float length = width - 2 * radius;
     bool changed = false;
-    if (hovered && (ImGui::IsMouseDoubleClicked(0) || (ImGui::IsMouseClicked(0) && ImGui::GetIO().KeyCtrl))) {
-        startTyping(name, value);
+    if (hovered && opensEntry(context)) {
+        if (ImGui::IsMouseDoubleClicked(0) && pressed.name == name) value = pressed.value;
+        entry.open(name, value);
+        changed = true;
     } else if (held) {
+        if (ImGui::IsItemActivated()) {
+            pressed.name = name;
+            pressed.value = value;
+            entry.forget();
+        }
         const float along = (ImGui::GetIO().MousePos.x - corner.x - radius) / length;
         const double share = static_cast<double>(std::clamp(along, 0.0f, 1.0f));
         const double wanted = scale.rounded(scale.fromShare(share), whole);
@@ -153,9 +139,30 @@ bool slider(Context& context, std::string_view name, const Scale& scale, bool wh
     return changed;
 }
 
-/// Draws the label at the left, value and unit at the right, and the button for the first value in between.
-bool labelLine(Context& context, std::string_view name, std::string_view table, const Parameter& p,
-               std::string_view value, std::string_view original) {
+/// Draws a control's value; returns true if the person clicks it to type another.
+bool valueText(Context& context, std::string_view name, std::string_view value, bool typed) {
+    const char* const end = value.data() + value.size();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    bool clicked = false, hovered = false;
+    if (typed && context.typing) {
+        clicked = ImGui::InvisibleButton("##value", ImGui::CalcTextSize(value.data(), end));
+        hovered = ImGui::IsItemHovered();
+        markItem(context, ShortText{name, ".value"});
+        tooltip(context, phrase("control.type"));
+        ImGui::SetCursorScreenPos(corner);
+    }
+    ImGui::PushStyleColor(ImGuiCol_Text, hovered ? colour::kAccent : colour::kQuiet);
+    ImGui::TextUnformatted(value.data(), end);
+    ImGui::PopStyleColor();
+    return clicked;
+}
+
+enum class LabelPress { none, back, value };
+
+/// Draws the label at the left, value and unit at the right, and the button for the first value in between. `typed`:
+/// a click on the value opens a text field.
+LabelPress labelLine(Context& context, std::string_view name, std::string_view table, const Parameter& p,
+                     std::string_view value, std::string_view original, bool typed = false) {
     const float left = ImGui::GetCursorPosX();
     const float right = left + ImGui::GetContentRegionAvail().x;
     ImGui::PushTextWrapPos(0);
@@ -192,11 +199,9 @@ bool labelLine(Context& context, std::string_view name, std::string_view table, 
     if (!value.empty()) {
         if (beside || changed) ImGui::SameLine();
         ImGui::SetCursorPosX(std::max(right - width, left));
-        ImGui::PushStyleColor(ImGuiCol_Text, colour::kQuiet);
-        ImGui::TextUnformatted(value.data(), value.data() + value.size());
-        ImGui::PopStyleColor();
+        if (valueText(context, name, value, typed)) return LabelPress::value;
     }
-    return back;
+    return back ? LabelPress::back : LabelPress::none;
 }
 
 bool isBareUnit(std::string_view unit) {
@@ -224,11 +229,22 @@ struct Draw {
     std::string_view original;
 
     bool number(double& value, bool whole) const {
-        if (labelLine(context, name, table, p, valueWithUnit(p, value), original)) {
+        const LabelPress press = labelLine(context, name, table, p, valueWithUnit(p, value), original, true);
+        if (press == LabelPress::back) {
+            entry.forget();
             setParameter({p}, p.key, original, p.key);
             return false; // typed values are set at full precision
         }
-        return slider(context, name, Scale(p, original), whole, value);
+        if (press == LabelPress::value) entry.open(name, value);
+        if (!entry.isOpen(name)) {
+            const bool changed = slider(context, name, Scale(p, original), whole, value);
+            if (entry.refused(name)) entry.drawRefusal(context, name, allowedText(table, p));
+            return changed;
+        }
+        const auto typed = entry.draw({p.minimum, p.maximum, whole, isBareUnit(p.unit) ? std::string_view() : p.unit});
+        if (entry.refused(name)) entry.drawRefusal(context, name, allowedText(table, p));
+        if (typed) value = *typed;
+        return typed.has_value();
     }
     bool operator()(float* target) const {
         const float before = *target;
@@ -243,7 +259,8 @@ struct Draw {
             if (number(value, true)) *target = static_cast<int>(value);
             return *target != before;
         }
-        if (labelLine(context, name, table, p, "", original)) setParameter({p}, p.key, original, p.key);
+        if (labelLine(context, name, table, p, "", original) == LabelPress::back)
+            setParameter({p}, p.key, original, p.key);
         choiceRow(context, name, p.choices, *target, choiceWords(table, p));
         return *target != before;
     }
@@ -255,7 +272,8 @@ struct Draw {
     }
     bool operator()(glm::vec3* target) const {
         const glm::vec3 before = *target;
-        if (labelLine(context, name, table, p, isBareUnit(p.unit) ? std::string_view() : p.unit, original))
+        if (labelLine(context, name, table, p, isBareUnit(p.unit) ? std::string_view() : p.unit, original) ==
+            LabelPress::back)
             setParameter({p}, p.key, original, p.key);
         ImGui::SetNextItemWidth(-1);
         const float speed = static_cast<float>(std::min(p.maximum - p.minimum, 40.0) / 400);

@@ -26,6 +26,7 @@ struct Context {
     std::map<std::string, Place, std::less<>> places;
     unsigned frame = 0;
     bool tooltipsAtEdge = false;               ///< tooltips lie at the upper or lower edge, far from the pointer
+    bool typing = true;                        ///< there is a keyboard to type numbers with
     const KeyNames* keys = &KeyNames::usual(); ///< names of the current keyboard's keys
 
     void beginFrame() { ++frame; }

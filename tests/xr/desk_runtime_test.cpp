@@ -57,7 +57,7 @@ struct Weld {
     static constexpr glm::vec3 kPlace{0, 0.003f, 0};
 
     explicit Weld(const std::string& name)
-        : folder(benchFolder() / name),
+        : folder(runFolder() / name),
           lesson(plateLesson(folder)),
           record(folder / "weld.csv"),
           trainer(folder, {"--headset", "--lesson", lesson.string(), "--record", record.string()}) {

@@ -1,7 +1,7 @@
 // Tests the report of `meltpool doctor` on a real runtime, on a context without a window.
 #include "core/gl/context.hpp"
 #include "tests/support/catch.hpp"
-#include "tests/xr/bench.hpp"
+#include "tests/xr/monado_run.hpp"
 #include "xr/diagnosis.hpp"
 
 #include <GLFW/glfw3.h>
@@ -22,7 +22,7 @@ std::string valueOf(const xr::Diagnosis& told, const std::string& name) {
 } // namespace
 
 TEST_CASE("the doctor sees runtime, headset, formats, rate and controllers", "[runtime]") {
-    RemoteDriver driver(benchPort());
+    RemoteDriver driver(driverPort());
     RemoteState state;
     state.hands[0].active = false;
     driver.send(state);

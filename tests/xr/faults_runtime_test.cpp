@@ -55,7 +55,7 @@ void requireWhole(const fs::path& record) {
 TEST_CASE("the runtime hangs in mid-weld: the desk goes on, the arc is out, and the headset is in use again after it",
           "[runtime]") {
     handGeometry();
-    const fs::path folder = benchFolder() / "hang", record = folder / "telemetry.csv";
+    const fs::path folder = runFolder() / "hang", record = folder / "telemetry.csv";
     auto trainee = std::make_unique<Trainee>();
     TrainerProcess trainer(folder, {"--lesson", smallLesson(folder).string(), "--record", record.string()});
     REQUIRE(trainer.waitFor(ready));
@@ -113,7 +113,7 @@ TEST_CASE(
     "use soon after",
     "[runtime]") {
     handGeometry();
-    const fs::path folder = benchFolder() / "cold";
+    const fs::path folder = runFolder() / "cold";
     Trainee trainee;
     trainee.bottom = -0.010f; // 4 mm of plate over 6 mm of supports
     trainee.zoom = 1;
@@ -142,7 +142,7 @@ TEST_CASE("another program comes before the trainee's eyes: input and arc are go
           "is back",
           "[runtime]") {
     handGeometry();
-    const fs::path folder = benchFolder() / "behind";
+    const fs::path folder = runFolder() / "behind";
     Trainee trainee;
     TrainerProcess trainer(folder, {"--headset", "--lesson", smallLesson(folder).string()});
     REQUIRE(trainer.waitFor(ready));

@@ -59,7 +59,7 @@ bool knocksOnce(TrainerProcess& trainer, Trainee& trainee) {
 
 TEST_CASE("a touch knocks without heat, the flame hums where metal takes its heat, and silence is kept", "[runtime]") {
     handGeometry();
-    const std::filesystem::path folder = benchFolder() / "feel";
+    const std::filesystem::path folder = runFolder() / "feel";
     Trainee trainee;
     TrainerProcess trainer(folder, {"--headset", "--lesson", smallLesson(folder).string()});
     REQUIRE(trainer.waitFor(ready));

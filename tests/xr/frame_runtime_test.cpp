@@ -77,7 +77,7 @@ void checkFrames(TrainerProcess& trainer, const std::string& when, int count, co
 
 TEST_CASE("a frame in the headset allocates nothing and never waits for the GPU", "[runtime]") {
     handGeometry();
-    const std::filesystem::path folder = benchFolder() / "frames";
+    const std::filesystem::path folder = runFolder() / "frames";
     Trainee trainee;
     // The recording allocates nothing either.
     TrainerProcess trainer(
@@ -99,7 +99,7 @@ TEST_CASE("a frame in the headset allocates nothing and never waits for the GPU"
 
 TEST_CASE("a frame of a weld allocates nothing either", "[runtime]") {
     handGeometry();
-    const std::filesystem::path folder = benchFolder() / "weld frames";
+    const std::filesystem::path folder = runFolder() / "weld frames";
     Trainee trainee;
     trainee.bottom = -0.010f; // 4 mm of plate over 6 mm of supports
     trainee.zoom = 1;

@@ -41,7 +41,7 @@ TEST_CASE("the tip of each process's own torch is at the joint, and both eyes se
     handGeometry();
     const std::string process = GENERATE("gmaw", "gtaw", "smaw");
     const std::string detail = process == "gmaw" ? "medium" : "high";
-    const fs::path folder = benchFolder() / ("hands-" + process);
+    const fs::path folder = runFolder() / ("hands-" + process);
     const fs::path file = plateWith(folder, process);
     Trainee trainee;
     trainee.bottom = makeWorkpiece(readLesson(file).workpiece).low.y;

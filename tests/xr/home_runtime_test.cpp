@@ -108,7 +108,7 @@ void replayTheWeld(Trainee& trainee, TrainerProcess& trainer) {
 TEST_CASE("a lesson is picked on the panel, demonstrated, welded, judged and begun again with the other hand's trigger",
           "[runtime]") {
     handGeometry();
-    const fs::path folder = benchFolder() / "home";
+    const fs::path folder = runFolder() / "home";
     Trainee trainee;
     trainee.bottom = -0.010f; // 4 mm of plate over 6 mm of supports
     trainee.zoom = 1;
@@ -191,7 +191,7 @@ TEST_CASE("a lesson is picked on the panel, demonstrated, welded, judged and beg
 TEST_CASE("from the list of lessons to the weld, its result and back the panel opens and closes by itself",
           "[runtime]") {
     handGeometry();
-    const fs::path folder = benchFolder() / "by itself";
+    const fs::path folder = runFolder() / "by itself";
     Trainee trainee;
     trainee.bottom = -0.010f;
     trainee.zoom = 1;
@@ -250,7 +250,7 @@ TEST_CASE("from the list of lessons to the weld, its result and back the panel o
 TEST_CASE("in the headset an attempt goes back, is held against another one, and is the ghost of a third",
           "[runtime][long]") {
     handGeometry();
-    const fs::path folder = benchFolder() / "back";
+    const fs::path folder = runFolder() / "back";
     Trainee trainee;
     trainee.bottom = -0.010f;
     trainee.zoom = 1;

@@ -1,7 +1,7 @@
 // Tests scripted controllers through a real runtime: poses, trigger, buttons, switching off, vibration.
 #include "core/weld/torch/torch_path.hpp"
 #include "tests/support/catch.hpp"
-#include "tests/xr/bench.hpp"
+#include "tests/xr/monado_run.hpp"
 
 #include <optional>
 
@@ -13,13 +13,13 @@ namespace {
 
 /// Holds a focused headset whose pictures do not matter.
 struct Hands {
-    RemoteDriver driver{benchPort()};
+    RemoteDriver driver{driverPort()};
     RemoteState state;
     std::unique_ptr<xr::Headset> headset;
     float mark = 0;
 
     Hands() {
-        benchWindow();
+        hiddenWindow();
         state.hands[0].pose.position = {-0.2f, 1.1f, -0.3f};
         state.hands[1].pose.position = {0.2f, 1.2f, -0.4f};
         driver.send(state);
@@ -177,7 +177,7 @@ TEST_CASE("a torch path held by the controller is read back along its whole way"
         sample.trigger = i >= 10 && i < 30 ? 1.0f : 0.0f;
         samples.push_back(sample);
     }
-    const std::filesystem::path file = benchFolder() / "path.csv";
+    const std::filesystem::path file = runFolder() / "path.csv";
     writeTorchCsv(file, {samples, {}, {}});
     const TorchPath path = TorchPath::read(file);
 

@@ -22,7 +22,7 @@ constexpr double kMayBeMissing = 0.2;
 /// Welds in the headset, ends the program by the signal after `seconds`, and checks the record.
 void endInMidWeld(Trainee& trainee, int signal, double seconds, int number) {
     INFO("signal " << signal << " after " << seconds << " s");
-    const std::filesystem::path folder = benchFolder() / ("ended " + std::to_string(number));
+    const std::filesystem::path folder = runFolder() / ("ended " + std::to_string(number));
     std::filesystem::remove_all(folder); // another test's rows there would count as this one's
     const std::filesystem::path record = folder / "record.csv";
     TrainerProcess trainer(folder,

@@ -1,6 +1,6 @@
 // Tests a runtime that is killed (kill -9), and the headset's use after its return.
 #include "tests/support/catch.hpp"
-#include "tests/xr/bench.hpp"
+#include "tests/xr/monado_run.hpp"
 #include "xr/headset_connection.hpp"
 
 #include <chrono>
@@ -53,8 +53,8 @@ Turns turnUntil(xr::HeadsetConnection& link, xr::ConnectionState state) {
 } // namespace
 
 TEST_CASE("the runtime is killed: the loop goes on without it and the headset is used again", "[runtime]") {
-    benchWindow();
-    auto driver = std::make_unique<RemoteDriver>(benchPort());
+    hiddenWindow();
+    auto driver = std::make_unique<RemoteDriver>(driverPort());
     driver->send({});
     xr::HeadsetConnection link({.resolutionScale = 0.3f, .samples = 1});
     REQUIRE(turnUntil(link, xr::ConnectionState::running).reached);
@@ -78,7 +78,7 @@ TEST_CASE("the runtime is killed: the loop goes on without it and the headset is
                                       << absence.count << " turns");
     CHECK(servicePid() != killed);
     CHECK(link.openings() == 2);
-    driver = std::make_unique<RemoteDriver>(benchPort());
+    driver = std::make_unique<RemoteDriver>(driverPort());
     driver->send({});
     for (int i = 0; i < 20; ++i)
         turn(link);

@@ -45,7 +45,7 @@ float zoomToldIn(const json& row) {
 TEST_CASE("a lost torch and a locked trigger are told before the eyes and in the window, in the same words",
           "[runtime]") {
     handGeometry();
-    const fs::path folder = benchFolder() / "notices";
+    const fs::path folder = runFolder() / "notices";
     Trainee trainee;
     TrainerProcess trainer(folder, {"--headset", "--lesson", smallLesson(folder).string()});
     REQUIRE(trainer.waitFor(ready));
@@ -78,7 +78,7 @@ TEST_CASE("a lost torch and a locked trigger are told before the eyes and in the
 TEST_CASE("a weld starts at real size whatever the settings say; another zoom puts the arc out and is shown",
           "[runtime]") {
     handGeometry();
-    const fs::path folder = benchFolder() / "zoom";
+    const fs::path folder = runFolder() / "zoom";
     const fs::path file = plateLesson(folder), record = folder / "telemetry.csv";
     Trainee trainee;
     trainee.zoom = 1;
@@ -121,7 +121,7 @@ TEST_CASE("a weld starts at real size whatever the settings say; another zoom pu
 
 TEST_CASE("a question is answered in the headset: the panel opens by itself, and no step is made before", "[runtime]") {
     handGeometry();
-    const fs::path folder = benchFolder() / "question";
+    const fs::path folder = runFolder() / "question";
     const fs::path lesson = smallLesson(folder);
     Trainee trainee;
     // A record below a file cannot be written.

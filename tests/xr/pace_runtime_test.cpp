@@ -90,7 +90,7 @@ double askedRate() {
 TEST_CASE("the metal goes at the hand's speed at the display's rate; what it cannot is told before the eyes",
           "[runtime][pace]") {
     handGeometry();
-    const fs::path folder = benchFolder() / ("pace" + formatNumber(askedRate()));
+    const fs::path folder = runFolder() / ("pace" + formatNumber(askedRate()));
     const fs::path record = folder / "weld.csv";
     Trainee trainee;
     TrainerProcess trainer(folder,

@@ -30,7 +30,7 @@ std::string endOf(const fs::path& record) {
 
 TEST_CASE("Reset, Start menu and Start in the headset leave a whole record of each attempt", "[runtime]") {
     handGeometry();
-    const fs::path folder = benchFolder() / "attempts";
+    const fs::path folder = runFolder() / "attempts";
     Trainee trainee;
     TrainerProcess trainer(
         folder, {"--headset", "--lesson", smallLesson(folder).string(), "--record", (folder / "weld.csv").string()});

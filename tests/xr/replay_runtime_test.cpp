@@ -61,7 +61,7 @@ void passMetalTime(TrainerProcess& trainer, double seconds) {
 
 TEST_CASE("a flame led by a tracked hand is replayed to the bits of its recording", "[runtime][long]") {
     handGeometry();
-    const fs::path folder = benchFolder() / "replay-flame";
+    const fs::path folder = runFolder() / "replay-flame";
     const fs::path lesson = smallLesson(folder);
     Trainee trainee;
     TrainerProcess trainer(folder, {"--headset", "--lesson", lesson.string()});
@@ -81,7 +81,7 @@ TEST_CASE("a flame led by a tracked hand is replayed to the bits of its recordin
 
 TEST_CASE("a bead whose torch was lost on the way is replayed to the bits of its recording", "[runtime][long]") {
     handGeometry();
-    const fs::path folder = benchFolder() / "replay-bead";
+    const fs::path folder = runFolder() / "replay-bead";
     const fs::path lesson = plateLesson(folder);
     constexpr float kMm = 1e-3f;
     Trainee trainee;

@@ -1,6 +1,6 @@
 // Tests a real session on a real runtime: its states, and both eyes' pictures as composited.
 #include "tests/support/catch.hpp"
-#include "tests/xr/bench.hpp"
+#include "tests/xr/monado_run.hpp"
 
 #include <cmath>
 
@@ -59,8 +59,8 @@ bool answers(const std::function<void()>& call) {
 } // namespace
 
 TEST_CASE("both eyes reach the compositor with the right parallax", "[runtime]") {
-    benchWindow();
-    RemoteDriver driver(benchPort());
+    hiddenWindow();
+    RemoteDriver driver(driverPort());
     driver.send({});
     xr::Headset headset(std::make_unique<xr::Instance>(), {.resolutionScale = 0.5f, .samples = 4});
     REQUIRE(waitUntilOpen(headset));
@@ -110,8 +110,8 @@ TEST_CASE("both eyes reach the compositor with the right parallax", "[runtime]")
 }
 
 TEST_CASE("the eyes follow the head", "[runtime]") {
-    benchWindow();
-    RemoteDriver driver(benchPort());
+    hiddenWindow();
+    RemoteDriver driver(driverPort());
     RemoteState state;
     state.head.position = {0.3f, 1.2f, 0.5f};
     state.head.orientation = glm::angleAxis(0.6f, glm::vec3(0, 1, 0));
@@ -130,8 +130,8 @@ TEST_CASE("the eyes follow the head", "[runtime]") {
 }
 
 TEST_CASE("a session ends in order from every state", "[runtime]") {
-    benchWindow();
-    RemoteDriver driver(benchPort());
+    hiddenWindow();
+    RemoteDriver driver(driverPort());
     driver.send({});
     SECTION("before it is open") {
         xr::Headset headset(std::make_unique<xr::Instance>(), {.resolutionScale = 0.3f, .samples = 1});

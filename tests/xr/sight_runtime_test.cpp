@@ -67,7 +67,7 @@ TEST_CASE("pictures of both eyes at work, in each process, from three persons' h
     trainee.held = heldAlong(lesson.torch.sample(strike), person.hand);
     trainee.aim({0.08F, 0.1F, 0.08F}, 0);
     const std::string run = name + "-" + person.name;
-    TrainerProcess trainer(benchFolder() / run, {"--headset", "--lesson", name},
+    TrainerProcess trainer(runFolder() / run, {"--headset", "--lesson", name},
                            std::string("resolution_scale = 1\nsamples = 2\n") +
                                (person.hand == 0 ? "hand = \"left\"\n" : ""));
     REQUIRE(trainer.waitFor(ready));

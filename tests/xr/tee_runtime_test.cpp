@@ -67,7 +67,7 @@ TEST_CASE("the shipped tee fillet is picked, welded end to end, scored and begun
     trainee.zoom = 1;
     trainee.torch = torchGeometry(lesson.process);
     trainee.held = heldOrientation(glm::radians(45.0), glm::radians(20.0), kAlong);
-    TrainerProcess trainer(benchFolder() / "tee", {"--headset"});
+    TrainerProcess trainer(runFolder() / "tee", {"--headset"});
     const std::string tile = "home.lesson.tee-fillet";
     REQUIRE(trainer.waitFor([](const json& row) { return row["page"] == "home" && row["headset"]["panel"] == true; }));
     passFrames(trainer, 4);

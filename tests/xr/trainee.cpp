@@ -18,8 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 
 HandGeometry measureHand() {
-    benchWindow();
-    RemoteDriver driver(benchPort());
+    hiddenWindow();
+    RemoteDriver driver(driverPort());
     RemoteState state;
     driver.send(state);
     xr::Headset headset(std::make_unique<xr::Instance>(), {.resolutionScale = 0.3f, .samples = 1});

@@ -26,7 +26,7 @@ std::filesystem::path plateLesson(const std::filesystem::path& folder);
 
 /// Starts at (0, 1.6, 0) looking along -z when the workshop is placed.
 struct Trainee {
-    RemoteDriver driver{benchPort()};
+    RemoteDriver driver{driverPort()};
     RemoteState state;
     size_t hand = 1;                         ///< hand with the torch: 0 left, 1 right
     std::optional<size_t> pointingHand = {}; ///< hand that points at the panel; the torch's hand if empty

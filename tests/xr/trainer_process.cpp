@@ -47,7 +47,7 @@ int start(const std::vector<std::string>& arguments, const fs::path& folder, con
         setenv("XR_CORE_VALIDATION_FILE_NAME", (folder / "validation.txt").c_str(), 1);
     }
     if (!preload.empty()) setenv("LD_PRELOAD", preload.c_str(), 1);
-    const int log = open((benchFolder() / "program.log").c_str(), O_WRONLY | O_CREAT | O_APPEND, 0644);
+    const int log = open((runFolder() / "program.log").c_str(), O_WRONLY | O_CREAT | O_APPEND, 0644);
     dup2(log, 1);
     dup2(log, 2);
     execv(pointers[0], pointers.data());

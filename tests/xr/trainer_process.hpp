@@ -2,7 +2,7 @@
 #pragma once
 
 #include "tests/support/telemetry_rows.hpp"
-#include "tests/xr/bench.hpp"
+#include "tests/xr/monado_run.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -45,7 +45,7 @@ bool wasReset(const std::vector<json>& rows) {
 
 TEST_CASE("a tracked torch melts the cube's corner, and its record melts it again without a headset", "[runtime]") {
     handGeometry();
-    const fs::path folder = benchFolder() / "melt";
+    const fs::path folder = runFolder() / "melt";
     const fs::path lesson = smallLesson(folder), record = folder / "telemetry.csv";
     Trainee trainee;
     TrainerProcess trainer(folder, {"--headset", "--lesson", lesson.string(), "--record", record.string()});
@@ -84,7 +84,7 @@ TEST_CASE("a tracked torch melts the cube's corner, and its record melts it agai
 
 TEST_CASE("the torch's controller goes off in mid-weld: the arc is out, it is said, and it comes back", "[runtime]") {
     handGeometry();
-    const fs::path folder = benchFolder() / "controller";
+    const fs::path folder = runFolder() / "controller";
     Trainee trainee;
     TrainerProcess trainer(folder, {"--headset", "--lesson", smallLesson(folder).string(), "--record",
                                     (folder / "telemetry.csv").string()});
@@ -119,7 +119,7 @@ TEST_CASE("the torch's controller goes off in mid-weld: the arc is out, it is sa
 
 TEST_CASE("the runtime is killed in mid-weld: the window goes on, the headset is used again", "[runtime]") {
     handGeometry();
-    const fs::path folder = benchFolder() / "killed";
+    const fs::path folder = runFolder() / "killed";
     const fs::path record = folder / "telemetry.csv";
     auto trainee = std::make_unique<Trainee>();
     TrainerProcess trainer(folder, {"--lesson", smallLesson(folder).string(), "--record", record.string()});
@@ -174,7 +174,7 @@ TEST_CASE("the runtime is killed in mid-weld: the window goes on, the headset is
 TEST_CASE("the panel opens and its buttons are pressed with the pointer's ray: reset, camera, tip, workshop here",
           "[runtime]") {
     handGeometry();
-    const fs::path folder = benchFolder() / "panel";
+    const fs::path folder = runFolder() / "panel";
     Trainee trainee;
     TrainerProcess trainer(folder, {"--headset", "--lesson", smallLesson(folder).string()});
     REQUIRE(trainer.waitFor(ready));
@@ -270,7 +270,7 @@ TEST_CASE("the panel opens and its buttons are pressed with the pointer's ray: r
 
 TEST_CASE("a minute of welding with panel, recentre, loss and return holds no misuse of the API", "[runtime][long]") {
     handGeometry();
-    const fs::path folder = benchFolder() / "minute";
+    const fs::path folder = runFolder() / "minute";
     auto trainee = std::make_unique<Trainee>();
     TrainerProcess trainer(folder, {"--headset", "--lesson", smallLesson(folder).string()});
     REQUIRE(trainer.waitFor(ready));
@@ -312,9 +312,9 @@ TEST_CASE("without a headset the program says so when one was asked for", "[runt
     // The variable names a missing runtime, whatever the machine has.
     const std::string manifest = std::getenv("XR_RUNTIME_JSON");
     setenv("XR_RUNTIME_JSON", "/nowhere/runtime.json", 1);
-    TrainerProcess trainer(benchFolder() / "absent", {"--headset"});
+    TrainerProcess trainer(runFolder() / "absent", {"--headset"});
     setenv("XR_RUNTIME_JSON", manifest.c_str(), 1);
     CHECK(trainer.finish() == 2);
-    CHECK_THAT(readTextFile(benchFolder() / "program.log"),
+    CHECK_THAT(readTextFile(runFolder() / "program.log"),
                containsText("no headset to use") && containsText("/nowhere/runtime.json does not exist"));
 }

@@ -61,7 +61,7 @@ float longestWayWithHeat(const TorchRecording& record) {
 
 TEST_CASE("zoom, other hand, lost controller: the arc is out first and until the trigger was let go", "[runtime]") {
     handGeometry();
-    const fs::path folder = benchFolder() / "trigger", record = folder / "telemetry.csv";
+    const fs::path folder = runFolder() / "trigger", record = folder / "telemetry.csv";
     Trainee trainee;
     TrainerProcess trainer(folder,
                            {"--headset", "--lesson", smallLesson(folder).string(), "--record", record.string()});

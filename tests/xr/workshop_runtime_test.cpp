@@ -78,7 +78,7 @@ TEST_CASE("left hand, low table at a set height, another zoom: the tip is where 
           "gives back",
           "[runtime]") {
     handGeometry();
-    const fs::path folder = benchFolder() / "left";
+    const fs::path folder = runFolder() / "left";
     Trainee trainee;
     trainee.hand = 0;
     trainee.zoom = 2;
@@ -113,7 +113,7 @@ TEST_CASE("left hand, low table at a set height, another zoom: the tip is where 
 TEST_CASE("a bead is welded in the headset: the arc strikes, follows its length and goes out, wire arrives",
           "[runtime]") {
     handGeometry();
-    const fs::path folder = benchFolder() / "weld";
+    const fs::path folder = runFolder() / "weld";
     const fs::path file = plateLesson(folder), record = folder / "telemetry.csv";
     Trainee trainee;
     trainee.bottom = makeWorkpiece(readLesson(file).workpiece).low.y;
@@ -158,7 +158,7 @@ TEST_CASE("a bead is welded in the headset: the arc strikes, follows its length 
 
 TEST_CASE("a filler rod in a GTAW lesson is where the other hand holds it, and gone with the hand", "[runtime]") {
     handGeometry();
-    const fs::path folder = benchFolder() / "rod";
+    const fs::path folder = runFolder() / "rod";
     const fs::path file = plateLesson(folder);
     std::string text = readTextFile(file);
     const size_t from = text.find("process = \"gmaw\""), to = text.find("[surface]");
@@ -189,8 +189,8 @@ TEST_CASE("a filler rod in a GTAW lesson is where the other hand holds it, and g
 }
 
 TEST_CASE("--desktop asks no runtime for anything", "[runtime]") {
-    const fs::path folder = benchFolder() / "desktop";
-    RemoteDriver driver(benchPort());
+    const fs::path folder = runFolder() / "desktop";
+    RemoteDriver driver(driverPort());
     driver.send({});
     TrainerProcess trainer(folder, {"--desktop", "--lesson", smallLesson(folder).string()});
     REQUIRE(trainer.waitFor([](const json& row) { return row["frame"] > 20; }));

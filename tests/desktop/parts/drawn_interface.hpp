@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <string>
+#include <string_view>
 
 namespace meltpool::test {
 
@@ -65,6 +66,30 @@ class DrawnInterface {
         }
     }
 
+    /// Clicks twice at once.
+    void doubleClick(const std::string& name, Content content) {
+        click(name, content);
+        click(name, content);
+    }
+
+    /// Types the text, a letter a frame.
+    void type(std::string_view text, Content content) {
+        for (const char letter : text) {
+            ImGui::GetIO().AddInputCharacter(static_cast<unsigned char>(letter));
+            draw(content);
+        }
+    }
+
+    /// Presses and releases a key.
+    void strike(ImGuiKey key, Content content) {
+        for (const bool down : {true, false}) {
+            setKey(key, down);
+            draw(content);
+        }
+    }
+
+    ui::Context& context() { return context_; }
+
     bool shows(const std::string& name) const {
         const auto found = context_.places.find(name);
         return found != context_.places.end() && context_.shown(found->second);
@@ -75,6 +100,16 @@ class DrawnInterface {
     size_t requests() const { return requests_; }
 
   private:
+    static void setKey(ImGuiKey key, bool down) {
+#if IMGUI_VERSION_NUM >= 18700
+        ImGui::GetIO().AddKeyEvent(key, down);
+#else
+        ImGuiIO& io = ImGui::GetIO();
+        io.KeyMap[key] = key;
+        io.KeysDown[key] = down;
+#endif
+    }
+
     ui::Context context_;
     size_t requests_ = 0;
     ImGuiMemAllocFunc take_ = nullptr;

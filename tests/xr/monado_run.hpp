@@ -15,13 +15,13 @@ namespace meltpool::test {
 
 /// Returns the run's folder from tests/xr/run_on_monado.sh, and its port; throws RuntimeFault if the program was
 /// started without it.
-std::filesystem::path benchFolder();
-int benchPort();
+std::filesystem::path runFolder();
+int driverPort();
 /// Returns the runtime's process.
 int servicePid();
 
 /// Returns a hidden window with a current OpenGL 4.5 core context; one for the whole test program.
-GLFWwindow* benchWindow();
+GLFWwindow* hiddenWindow();
 
 /// Takes a picture of the X display, with both eyes as the compositor shows them.
 Image screenshot();

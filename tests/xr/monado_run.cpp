@@ -1,5 +1,5 @@
 // Implements window, screenshot and frames for the headset's tests.
-#include "tests/xr/bench.hpp"
+#include "tests/xr/monado_run.hpp"
 
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
@@ -47,7 +47,7 @@ const bool layerAsked = [] {
 } // namespace
 
 std::string misuses() {
-    const std::filesystem::path file = benchFolder() / "validation.txt";
+    const std::filesystem::path file = runFolder() / "validation.txt";
     if (!layerAsked || !std::filesystem::exists(file)) throw RuntimeFault("the OpenXR validation layer did not run");
     static size_t answered = 0; // bytes of the file that earlier calls have read
     const std::string text = readTextFile(file);
@@ -59,19 +59,19 @@ std::string misuses() {
     return found;
 }
 
-std::filesystem::path benchFolder() {
+std::filesystem::path runFolder() {
     return fromBench("MELTPOOL_XR_BENCH");
 }
 
-int benchPort() {
+int driverPort() {
     return std::atoi(fromBench("MELTPOOL_XR_PORT").c_str());
 }
 
 int servicePid() {
-    return std::atoi(readTextFile(benchFolder() / "service.pid").c_str());
+    return std::atoi(readTextFile(runFolder() / "service.pid").c_str());
 }
 
-GLFWwindow* benchWindow() {
+GLFWwindow* hiddenWindow() {
     static GLFWwindow* window = [] {
         if (glfwInit() == GLFW_FALSE) throw RuntimeFault("no X display for the test's window");
         glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
