@@ -44,7 +44,7 @@ std::span<const DesktopAction> desktopActions() {
         {"back", Request::none, Key::escape, always, [](App& app) { app.goBack(); }},
         {"hide panels", Request::none, Key::tab, always, [](App& app) { app.hidePanels(); }},
         {"help", Request::none, Key::f1, always, [](App& app) { app.toggle(&PanelState::help); }},
-        {"view menu", Request::none, Key::f2, always, [](App& app) { app.toggle(&PanelState::view); }},
+        {"view menu", Request::none, Key::f2, always, [](App& app) { app.toggleViewOrSettings(); }},
         {"machine menu", Request::none, Key::f3, always, [](App& app) { app.toggle(&PanelState::simulation); }},
         {"timings", Request::none, Key::f4, always, [](App& app) { app.toggle(&PanelState::timings); }},
         {"view of the headset", Request::none, Key::f6, always, [](App& app) { app.switchDeskView(); }},
@@ -89,7 +89,7 @@ void DesktopApp::switchDeskView() {
 
 void DesktopApp::goHome() {
     lessons_.goHome();
-    menus_.panels.help = menus_.panels.result = false;
+    menus_.panels.help = menus_.panels.settings = menus_.panels.result = false;
 }
 
 void DesktopApp::openNext() {
@@ -123,7 +123,7 @@ void DesktopApp::reset() {
 
 void DesktopApp::leave() {
     lessons_.leave();
-    menus_.panels.help = menus_.panels.result = false;
+    menus_.panels.help = menus_.panels.settings = menus_.panels.result = false;
     profiler_.reset();
 }
 
@@ -137,14 +137,19 @@ void DesktopApp::cut() {
     if (session_.picture().cut().shown()) menus_.showResult(session_);
 }
 
-/// Closes the help, or leaves the lesson's page.
+/// Closes help and settings, or leaves the lesson's page.
 void DesktopApp::goBack() {
-    if (!session_.running() && !menus_.panels.help) goHome();
-    menus_.panels.help = false;
+    if (!session_.running() && !menus_.panels.overlaid()) goHome();
+    menus_.panels.help = menus_.panels.settings = false;
 }
 
 void DesktopApp::toggle(bool PanelState::*panel) {
     menus_.panels.*panel = !(menus_.panels.*panel);
+}
+
+/// The list of lessons has the program's settings, a lesson has its view menu.
+void DesktopApp::toggleViewOrSettings() {
+    toggle(home_.open ? &PanelState::settings : &PanelState::view);
 }
 
 void DesktopApp::hidePanels() {

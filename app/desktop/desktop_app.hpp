@@ -66,6 +66,7 @@ class DesktopApp {
     void judge();
     void cut();
     void toggle(bool PanelState::*panel);
+    void toggleViewOrSettings();
     void hidePanels();
     void start(void (LessonSession::*begin)(Controls&));
     void moveByKeys(const InputFrame& input);

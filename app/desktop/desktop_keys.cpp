@@ -7,7 +7,7 @@ namespace meltpool {
 
 /// Handles the keys of the pages before a lesson runs.
 void DesktopApp::moveByKeys(const InputFrame& input) {
-    if (menus_.panels.help) return;
+    if (menus_.panels.overlaid()) return;
     if (home_.open && home_.attempts.shown()) {
         if (std::find(input.struck.begin(), input.struck.end(), Key::escape) == input.struck.end()) return;
         if (Activities& activities = session_.activities(); activities.at(activities.comparison))
@@ -32,7 +32,7 @@ void DesktopApp::moveByKeys(const InputFrame& input) {
 
 /// Handles the keys of the demonstration: pause, its time, and Enter for one's own attempt.
 void DesktopApp::demonstrateByKeys(const InputFrame& input) {
-    if (menus_.panels.help) return;
+    if (menus_.panels.overlaid()) return;
     Demonstration& demonstration = session_.activities().demonstration;
     for (const Key key : input.pressed) {
         if (key == Key::left) demonstration.moveTo(demonstration.time() - Demonstration::kKeyStep);
@@ -46,7 +46,7 @@ void DesktopApp::demonstrateByKeys(const InputFrame& input) {
 
 /// Handles the keys of a saved attempt: pause and its time.
 void DesktopApp::replayByKeys(const InputFrame& input) {
-    if (menus_.panels.help) return;
+    if (menus_.panels.overlaid()) return;
     ReplayTimeline& line = session_.activities().replay.line();
     for (const Key key : input.pressed) {
         if (key == Key::left) line.seek(line.target() - ReplayTimeline::kKeyStep);
@@ -57,7 +57,7 @@ void DesktopApp::replayByKeys(const InputFrame& input) {
 
 /// Handles the key of a judged attempt: Enter for the next lesson.
 void DesktopApp::goOnByKeys(const InputFrame& input) {
-    if (menus_.panels.help || !menus_.panels.result || !session_.attempt().judged() || session_.welds()) return;
+    if (menus_.panels.overlaid() || !menus_.panels.result || !session_.attempt().judged() || session_.welds()) return;
     if (session_.question().asked() || seats_.question(Seat::desk).asked()) return;
     if (std::find(input.struck.begin(), input.struck.end(), Key::enter) != input.struck.end()) act(MenuRequest::next);
 }

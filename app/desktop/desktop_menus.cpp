@@ -39,12 +39,14 @@ MenuRequest DesktopMenus::draw(const DesktopMenuContent& content) {
     machineWaits_ = session.picture().cut().shown() || activities.at(activities.replay) || covers;
     MenuRequest request = MenuRequest::none;
     if (content.home.open)
-        request = ui::homePage(context, content.home, session.activities(), content.driver, panels.help);
+        request = ui::homePage(context, content.home, session.activities(), content.driver, panels);
     else if (!session.running())
         request = ui::startMenu(context, session, content.home, content.driver);
     else if (!panels.hidden)
         request = drawPanels(content);
     ui::questionOverlay(context, session.question().asked() ? session.question() : content.seatQuestion);
+    panels.settings = panels.settings && content.home.open;
+    if (panels.settings) ui::settingsOverlay(context, panels.settings, content.viewSections);
     if (panels.help) ui::helpOverlay(context, panels.help, keysOf(content));
     const bool running = session.running();
     ui::messageStack(context, content.messages, running ? coveredLeft() : 0, running ? coveredRight() : 0);

@@ -215,6 +215,7 @@ void WindowTelemetry::writeLine(const TelemetryRow& row) {
           {"timings", row.panels.timings},
           {"result", row.panels.result},
           {"help", row.panels.help},
+          {"settings", row.panels.settings},
           {"hidden", row.panels.hidden}}},
         {"torch", torch(row.torch)},
         {"metal", metal(row)},

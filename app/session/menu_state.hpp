@@ -12,7 +12,11 @@ struct PanelState {
     bool timings = false;
     bool result = false; ///< result of the judged attempt
     bool help = false;
+    bool settings = false; ///< settings of the program, over the list of lessons
     bool hidden = false; ///< true: no panel is shown
+
+    /// True while a page lies over everything: keys belong to it.
+    bool overlaid() const { return help || settings; }
 };
 ParameterList describe(PanelState& panels);
 

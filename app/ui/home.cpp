@@ -150,7 +150,8 @@ void drawPicture(ImDrawList& draw, GLuint texture, ImVec2 low, ImVec2 high) {
     outlineRounded(draw, low, high, colour::kPanelEdge, 0);
 }
 
-MenuRequest homePage(Context& context, Home& home, Activities& activities, const std::string& driver, bool& help) {
+MenuRequest homePage(Context& context, Home& home, Activities& activities, const std::string& driver,
+                     PanelState& panels) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     drawBackdrop(screen.x, screen.y);
     ImGui::SetNextWindowPos({0, 0});
@@ -189,9 +190,13 @@ MenuRequest homePage(Context& context, Home& home, Activities& activities, const
         request = MenuRequest::openLesson;
     ImGui::EndChild();
     markItem(context, "home.lessons");
-    if (button(context, "home.help", phrase("home.help").c_str(), help ? ButtonKind::lit : ButtonKind::plain, 86,
+    if (button(context, "home.help", phrase("home.help").c_str(), panels.help ? ButtonKind::lit : ButtonKind::plain, 86,
                phrase("home.help_tip").c_str()))
-        help = !help;
+        panels.help = !panels.help;
+    ImGui::SameLine(0, context.points(14));
+    if (button(context, "home.settings", phrase("home.settings").c_str(),
+               panels.settings ? ButtonKind::lit : ButtonKind::plain, 100, phrase("home.settings_tip").c_str()))
+        panels.settings = !panels.settings;
     ImGui::SameLine(0, context.points(14));
     attemptsButton(context, home, activities);
     ImGui::SameLine(0, context.points(14));

@@ -170,6 +170,7 @@ void KeyGuide::addProgram(const KeySituation& now) {
     }
     if (!now.home) add(keys(kHere, {Key::h}, "help.home_all_lessons"));
     if (!now.home && !now.lesson) add(keys(kHere, {Key::escape}, "help.home_all_lessons"));
+    if (now.home) add(keys(kHere, {Key::f2}, "help.settings"));
     add(keys(kHere, {Key::f1}, "help.this_page", now.lesson ? "bar.hint.help" : ""));
     if (now.lesson) {
         add(keys(kHere, {Key::f2, Key::f3, Key::f4}, "help.view_machine_timings"));

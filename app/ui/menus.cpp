@@ -106,6 +106,33 @@ void passRow(Context& context, std::string_view name, double ms, double whole, i
     ImGui::PopStyleColor();
 }
 
+constexpr ImGuiWindowFlags kStill = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                                    ImGuiWindowFlags_NoSavedSettings;
+
+/// Begins a page in the middle of a shade over everything; a click on the shade closes it. `width` and the margins of
+/// its content in points.
+void beginOverlay(Context& context, const char* name, bool& open, float width, float margin) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({0, 0});
+    ImGui::SetNextWindowSize(screen);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(8, 10, 14, 170));
+    ImGui::Begin(ShortText{name, " shade"}.c_str(), nullptr, kStill);
+    if (ImGui::IsWindowAppearing()) ImGui::SetWindowFocus();
+    if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(0)) open = false;
+    ImGui::End();
+    ImGui::PopStyleColor();
+
+    ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+    const float wide = std::min(context.points(width), screen.x - context.points(20));
+    ImGui::SetNextWindowSizeConstraints({wide, 0}, {wide, screen.y - context.points(20)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.points(margin), context.points(26)});
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(26, 30, 37, 255));
+    ImGui::Begin(name, nullptr, kStill | ImGuiWindowFlags_AlwaysAutoResize);
+    if (ImGui::IsWindowAppearing()) ImGui::SetWindowFocus();
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar();
+}
+
 /// Draws the rows of one heading; nothing if there are none.
 void keyColumn(Context& context, const KeyGuide& guide, KeyHeading heading) {
     static constexpr std::array<std::string_view, size_t(KeyHeading::count)> kTitles{
@@ -213,30 +240,34 @@ void timingsPanel(Context& context, const gl::Profiler& profiler, const LessonFi
     ImGui::End();
 }
 
-void helpOverlay(Context& context, bool& open, const KeySituation& now) {
-    const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    constexpr ImGuiWindowFlags kStill = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
-                                        ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
-    // A shade covers everything; a click on it closes the page.
-    ImGui::SetNextWindowPos({0, 0});
-    ImGui::SetNextWindowSize(screen);
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(8, 10, 14, 170));
-    ImGui::Begin("help shade", nullptr, kStill);
-    if (ImGui::IsWindowAppearing()) ImGui::SetWindowFocus();
-    if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(0)) open = false;
+void settingsOverlay(Context& context, bool& open, std::span<const ParameterSection* const> sections) {
+    static constexpr std::array<Group, 5> kGroups{
+        {{"window", "Window", {"interface_size", "picture", "detail"}, true},
+         {"sound", "Sound", {"volume", "captions"}, true},
+         {"controls",
+          "Torch at the desk",
+          {"torch_mouse_mm", "key_speed_mm_s", "gamepad_speed_mm_s", "guide_speed_mm_s", "hand_tremor"},
+          true},
+         {"controls",
+          "Mouse and keys",
+          {"source_step", "source_mouse_speed", "look_speed", "camera_speed", "invert_look"},
+          false},
+         {"recordings", "Recordings", {"keep_recordings", "recordings_limit_mb"}, true}}};
+    beginOverlay(context, "settings", open, 520, narrowerThan(context, 560) ? 18 : 32);
+    const float close = context.points(110);
+    const ImVec2 start = ImGui::GetCursorPos();
+    ImGui::SetCursorPosX(start.x + ImGui::GetContentRegionAvail().x - close);
+    if (button(context, "settings.close", phrase("help.close").c_str(), ButtonKind::main, 110)) open = false;
+    ImGui::SetCursorPos(start);
+    panelTitle(context, phrase("home.settings").c_str(), phrase("home.settings_text").c_str());
+    for (const Group& group : kGroups)
+        if (const ParameterSection* section = findSection(sections, group.section)) drawGroup(context, *section, group);
     ImGui::End();
-    ImGui::PopStyleColor();
+}
 
-    ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
-    const float width = std::min(context.points(860), screen.x - context.points(20));
+void helpOverlay(Context& context, bool& open, const KeySituation& now) {
     const bool narrow = narrowerThan(context, 760);
-    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, screen.y - context.points(20)});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.points(narrow ? 18 : 32), context.points(26)});
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(26, 30, 37, 255));
-    ImGui::Begin("help", nullptr, kStill | ImGuiWindowFlags_AlwaysAutoResize);
-    if (ImGui::IsWindowAppearing()) ImGui::SetWindowFocus();
-    ImGui::PopStyleColor();
-    ImGui::PopStyleVar();
+    beginOverlay(context, "help", open, 860, narrow ? 18 : 32);
     ImGui::Columns(narrow ? 1 : 2, "help columns", false);
     const KeyGuide guide(now);
     for (const KeyHeading heading : {KeyHeading::torch, KeyHeading::playing, KeyHeading::weld})

@@ -28,8 +28,12 @@ float barHeight(const Context& context);
 /// Highest temperature: "1530 °C"; for the classic metal, whose scale has no unit, "0.53".
 ShortText hottestText(const LessonFigures& figures);
 
-/// Draws the list of lessons in the whole window. `help`: its button was pressed.
-MenuRequest homePage(Context& context, Home& home, Activities& activities, const std::string& driver, bool& help);
+/// Draws the list of lessons in the whole window, with the buttons of help and settings.
+MenuRequest homePage(Context& context, Home& home, Activities& activities, const std::string& driver,
+                     PanelState& panels);
+/// Draws the settings that belong to no lesson over everything, for the list of lessons. `sections`: those of the view
+/// menu. A click beside the page closes it.
+void settingsOverlay(Context& context, bool& open, std::span<const ParameterSection* const> sections);
 /// Draws the list of lessons inside the current window, a few a page, for the headset's panel.
 MenuRequest homePart(Context& context, Home& home, Activities& activities);
 /// Draws the lesson's first page: task, machine values, start.

@@ -145,7 +145,10 @@ bool valueText(Context& context, std::string_view name, std::string_view value, 
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     bool clicked = false, hovered = false;
     if (typed && context.typing) {
-        clicked = ImGui::InvisibleButton("##value", ImGui::CalcTextSize(value.data(), end));
+        const float margin = context.points(6); // a single digit alone is hard to hit
+        const ImVec2 text = ImGui::CalcTextSize(value.data(), end);
+        ImGui::SetCursorScreenPos({corner.x - margin, corner.y});
+        clicked = ImGui::InvisibleButton("##value", {text.x + 2 * margin, text.y});
         hovered = ImGui::IsItemHovered();
         markItem(context, ShortText{name, ".value"});
         tooltip(context, phrase("control.type"));
