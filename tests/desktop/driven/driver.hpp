@@ -63,6 +63,7 @@ class TrainerWindow {
     /// Calls xdotool with these words. A missing xdotool fails the test.
     void xdotool(std::vector<std::string> words) const;
     void key(const std::string& name) { xdotool({"key", name}); }
+    void type(const std::string& text) { xdotool({"type", text}); }
     /// Holds a key until `condition` is fulfilled.
     void holdKey(const std::string& name, const std::string& what,
                  const std::function<bool(const nlohmann::json&)>& condition);

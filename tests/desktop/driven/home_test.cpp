@@ -200,6 +200,16 @@ TEST_CASE("the demonstration is stopped, moved and left for one's own attempt by
 TEST_CASE("two strokes of Enter start the default lesson; H, Escape and the arrow keys lead through the pages") {
     TrainerWindow window("home-keys", {.lesson = "", .data = smallCatalogue()});
     CHECK(window.state().at("page") == "home");
+    window.key("F2");
+    window.waitFor("settings", [](const json& s) { return s.at("panels").at("settings") == true; });
+    window.click("sound.volume.value");
+    window.settle();
+    window.type("0,25");
+    window.key("Return");
+    window.waitFor("the volume", [](const json& s) { return parameterIn(s, "sound", "volume") == "0.25"; });
+    window.key("Escape");
+    window.waitFor("no settings", [](const json& s) { return s.at("panels").at("settings") == false; });
+    CHECK(window.state().at("page") == "home");
     window.key("Return");
     waitForPage(window, "start");
     CHECK(parameterIn(window.settle(), "start", "particles") == "1000"); // value from the settings file
@@ -224,6 +234,7 @@ TEST_CASE("two strokes of Enter start the default lesson; H, Escape and the arro
     window.closeWindow();
     CHECK(window.finish() == 0);
     CHECK_THAT(readTextFile(window.settingsFile()), containsText("particles = 1000"));
+    CHECK_THAT(readTextFile(window.settingsFile()), containsText("volume = 0.25"));
 }
 
 TEST_CASE("a lesson is picked from the list, welded by keys and mouse, judged, welded again, and its score kept") {

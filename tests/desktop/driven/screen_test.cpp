@@ -47,6 +47,7 @@ void usePages(TrainerWindow& window, const std::string& name) {
     s = window.waitFor("the list", [](const json& t) { return t.at("page") == "home"; });
     s = window.settle();
     requireInSight(s, "home.help");
+    requireInSight(s, "home.settings");
     requireInSight(s, "home.attempts");
     window.takePicture(name + "-home");
     window.key("F1");
@@ -55,6 +56,14 @@ void usePages(TrainerWindow& window, const std::string& name) {
     window.takePicture(name + "-help");
     window.key("F1");
     window.waitFor("no help", [](const json& t) { return t.at("panels").at("help") == false; });
+    window.key("F2");
+    window.waitFor("settings", [](const json& t) { return t.at("panels").at("settings") == true; });
+    s = window.settle();
+    requireInSight(s, "settings.close");
+    requireInSight(s, "window.interface_size");
+    window.takePicture(name + "-settings");
+    window.key("Escape");
+    window.waitFor("no settings", [](const json& t) { return t.at("panels").at("settings") == false; });
     window.place("home.lesson.classic");
     window.key("Return"); // the message of the last picture may cover the lesson
     window.waitFor("the lesson's page", [](const json& t) { return t.at("page") == "start"; });
