@@ -143,6 +143,19 @@ void attemptsButton(Context& context, Home& home, const Activities& activities) 
         home.attempts.show();
 }
 
+/// Keys of the page's heading and of the sentence below it.
+struct HomeWords {
+    const char* heading;
+    const char* hint;
+};
+
+HomeWords wordsOf(const Home& home, const Activities& activities) {
+    if (home.who.asked()) return {"persons.heading", "persons.hint"};
+    if (!home.attempts.shown()) return {"home.lessons", "home.lessons_hint"};
+    if (activities.at(activities.comparison)) return {"home.two_attempts", "home.two_attempts_hint"};
+    return {"home.attempts", "home.attempts_hint"};
+}
+
 } // namespace
 
 void drawPicture(ImDrawList& draw, GLuint texture, ImVec2 low, ImVec2 high) {
@@ -172,18 +185,16 @@ MenuRequest homePage(Context& context, Home& home, Activities& activities, const
     ImGui::SameLine(0, context.points(14));
     ImGui::BeginGroup();
     ImGui::PushFont(low ? context.fonts.strong : context.fonts.title);
-    const bool attempts = home.attempts.shown();
-    const bool both = attempts && activities.at(activities.comparison);
-    ImGui::TextUnformatted(phrase(both ? "home.two_attempts" : attempts ? "home.attempts" : "home.lessons").c_str());
+    const HomeWords words = wordsOf(home, activities);
+    ImGui::TextUnformatted(phrase(words.heading).c_str());
     ImGui::PopFont();
-    if (!low)
-        quietText(context, phrase(both       ? "home.two_attempts_hint"
-                                  : attempts ? "home.attempts_hint"
-                                             : "home.lessons_hint"));
+    if (!low) quietText(context, phrase(words.hint));
     ImGui::EndGroup();
     ImGui::BeginChild("lessons", {0, -context.points(44)});
     MenuRequest request = MenuRequest::none;
-    if (attempts)
+    if (home.who.asked())
+        request = personsPart(context, home.who, true);
+    else if (home.attempts.shown())
         request = attemptList(context, home, activities, kAttemptsAPage);
     else if (lessonGrid(context, home))
         request = MenuRequest::openLesson;
@@ -192,8 +203,12 @@ MenuRequest homePage(Context& context, Home& home, Activities& activities, const
     if (button(context, "home.help", phrase("home.help").c_str(), help ? ButtonKind::lit : ButtonKind::plain, 86,
                phrase("home.help_tip").c_str()))
         help = !help;
-    ImGui::SameLine(0, context.points(14));
-    attemptsButton(context, home, activities);
+    if (!home.who.asked()) {
+        ImGui::SameLine(0, context.points(14));
+        attemptsButton(context, home, activities);
+        ImGui::SameLine(0, context.points(14));
+        personsButton(context, home.who);
+    }
     ImGui::SameLine(0, context.points(14));
     ImGui::AlignTextToFramePadding();
     quietLine(context, driver);
@@ -203,6 +218,7 @@ MenuRequest homePage(Context& context, Home& home, Activities& activities, const
 
 MenuRequest homePart(Context& context, Home& home, Activities& activities) {
     MenuRequest request = MenuRequest::none;
+    if (home.who.asked()) return personsPart(context, home.who, false);
     if (home.attempts.shown()) {
         request = attemptList(context, home, activities, kAttemptsOnPanel);
         attemptsButton(context, home, activities);
@@ -215,6 +231,8 @@ MenuRequest homePart(Context& context, Home& home, Activities& activities) {
     for (size_t i = page.begin; i < page.end; ++i)
         if (lessonTile(context, home, i, size, true, false)) request = MenuRequest::openLesson;
     attemptsButton(context, home, activities);
+    ImGui::SameLine();
+    personsButton(context, home.who);
     if (pages.size() == 1) return request;
     ImGui::SameLine();
     if (button(context, "home.previous", phrase("home.previous").c_str(), ButtonKind::plain, 100) && home.page > 0)
