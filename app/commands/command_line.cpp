@@ -81,7 +81,9 @@ void addDesktop(CLI::App& app, Arguments& arguments) {
         ->type_name("FILE");
     app.add_option("--ghost", arguments.desktop.ghost, "Show the torch of this attempt or torch path beside yours")
         ->type_name("FILE");
-    app.add_option("--person", arguments.desktop.person, "Name of the person who welds: scores and help are theirs")
+    app.add_option_function<std::string>(
+           "--person", [&arguments](const std::string& name) { arguments.desktop.person = name; },
+           "Name of the person who welds: scores and help are theirs")
         ->type_name("NAME");
     app.add_flag("--no-recording", arguments.unrecorded, "Keep no recordings of attempts");
     CLI::Option* wanted = app.add_flag("--headset", arguments.headset,

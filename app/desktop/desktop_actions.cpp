@@ -42,7 +42,7 @@ std::span<const DesktopAction> desktopActions() {
         {"pause", Request::pause, {}, always, [](App& app) { app.togglePause(); }},
         {"redo", Request::redo, Key::backspace, always, [](App& app) { app.session_.redo(app.controls_); }},
         {"cut", Request::cut, Key::x, always, [](App& app) { app.cut(); }},
-        {"next person", Request::askWelder, Key::n, mayAskName, [](App& app) { app.home_.who.ask(); }},
+        {"next person", Request::none, Key::n, mayAskName, [](App& app) { app.home_.who.ask(); }},
         {"person", Request::welder, {}, always, [](App& app) { app.welders_.enter(app.clock_.now()); }},
         {"back", Request::none, Key::escape, always, [](App& app) { app.goBack(); }},
         {"hide panels", Request::none, Key::tab, always, [](App& app) { app.hidePanels(); }},

@@ -347,6 +347,9 @@ void DesktopApp::tellMissingLetters() {
             look(lesson.title);
             look(lesson.text);
         }
+        if (home_.who.asked())
+            for (const KnownPerson& person : home_.who.persons().all())
+                look(person.name);
         if (home_.attempts.shown())
             for (const ReplayEntry& entry : home_.attempts.entries())
                 look(entry.detail);
