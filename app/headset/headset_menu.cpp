@@ -84,6 +84,10 @@ void HeadsetMenu::homePart(ui::Context& context, LessonSession& session, const H
     if (const MenuRequest asked = ui::homePart(context, content.home, session.activities()); asked != MenuRequest::none)
         answer_.request = asked;
     answer_.recentre = plainButton(context, "headset.recentre", "headset.button.recentre", 140);
+    if (!content.home.who.asked()) {
+        ImGui::SameLine();
+        ui::personsButton(context, content.home.who, false);
+    }
     // Open until the first lesson; later by a press.
     if (ui::namedHeading(context, "headset", lessonSeen_ ? "buttons" : "first_buttons",
                          phrase("headset.legend.heading"), !lessonSeen_))

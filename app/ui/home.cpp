@@ -190,6 +190,7 @@ MenuRequest homePage(Context& context, Home& home, Activities& activities, const
     ImGui::PopFont();
     if (!low) quietText(context, phrase(words.hint));
     ImGui::EndGroup();
+    if (!home.who.asked()) personsButton(context, home.who, true);
     ImGui::BeginChild("lessons", {0, -context.points(44)});
     MenuRequest request = MenuRequest::none;
     if (home.who.asked())
@@ -206,8 +207,6 @@ MenuRequest homePage(Context& context, Home& home, Activities& activities, const
     if (!home.who.asked()) {
         ImGui::SameLine(0, context.points(14));
         attemptsButton(context, home, activities);
-        ImGui::SameLine(0, context.points(14));
-        personsButton(context, home.who);
     }
     ImGui::SameLine(0, context.points(14));
     ImGui::AlignTextToFramePadding();
@@ -231,8 +230,6 @@ MenuRequest homePart(Context& context, Home& home, Activities& activities) {
     for (size_t i = page.begin; i < page.end; ++i)
         if (lessonTile(context, home, i, size, true, false)) request = MenuRequest::openLesson;
     attemptsButton(context, home, activities);
-    ImGui::SameLine();
-    personsButton(context, home.who);
     if (pages.size() == 1) return request;
     ImGui::SameLine();
     if (button(context, "home.previous", phrase("home.previous").c_str(), ButtonKind::plain, 100) && home.page > 0)

@@ -58,13 +58,11 @@ bool nameButtons(Context& context, WhoWelds& who) {
     return !who.asked();
 }
 
-/// The name's first letters, with a mark if it has more.
-std::string shortened(const std::string& name) {
-    constexpr size_t kMostShown = 24;
+/// The name's first `most` letters, with a mark if it has more.
+std::string shortened(const std::string& name, size_t most) {
     size_t letters = 0;
     for (size_t i = 0; i < name.size(); ++i)
-        if ((static_cast<unsigned char>(name[i]) & 0xC0) != 0x80 && ++letters > kMostShown)
-            return name.substr(0, i) + "..";
+        if ((static_cast<unsigned char>(name[i]) & 0xC0) != 0x80 && ++letters > most) return name.substr(0, i) + "..";
     return name;
 }
 
@@ -88,15 +86,23 @@ MenuRequest personsPart(Context& context, WhoWelds& who, bool typing) {
     return taken ? MenuRequest::welder : MenuRequest::none;
 }
 
-void personsButton(Context& context, WhoWelds& who) {
+void personsButton(Context& context, WhoWelds& who, bool atRight) {
+    constexpr float kWidth = 100, kMargin = 6; // points
     const std::string name = who.name();
     ShortText text, note;
     if (name.empty())
         appendPhrase(text, "persons.heading", {});
     else
-        appendPhrase(text, "persons.welder", {{"name", shortened(name)}});
+        appendPhrase(text, "persons.welder", {{"name", shortened(name, narrowerThan(context, 480) ? 10 : 24)}});
     appendPhrase(note, "persons.next_tip", {{"key", context.key(Key::n)}});
-    if (button(context, "home.persons", text.c_str(), name.empty() ? ButtonKind::plain : ButtonKind::lit, 100,
+    if (atRight) {
+        const float wide =
+            std::max(context.points(kWidth), ImGui::CalcTextSize(text.c_str()).x + 2 * context.points(kMargin));
+        const float taken = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + context.points(14);
+        const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
+        if (taken + wide <= right) ImGui::SameLine(right - wide);
+    }
+    if (button(context, "home.persons", text.c_str(), name.empty() ? ButtonKind::plain : ButtonKind::lit, kWidth,
                note.c_str()))
         who.ask();
 }

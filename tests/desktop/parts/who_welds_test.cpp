@@ -62,6 +62,7 @@ TEST_CASE("a refused name leaves the question open with its sentence") {
 }
 
 TEST_CASE("the home page asks who welds: a known name, a guest, no name, or back, by mouse at desk and headset") {
+    test::context(); // the pictures of lessons are textures
     Home home(resourceFolder() / "data" / "lessons", test::scratchFolder("who-home") / "best-scores.toml",
               test::scratchFolder("who-home-persons") / "persons");
     REQUIRE(home.who.take("Anna"));
@@ -90,11 +91,11 @@ TEST_CASE("the home page asks who welds: a known name, a guest, no name, or back
     CHECK(request == MenuRequest::welder);
     CHECK(home.who.name() == "Anna");
 
-    interface.draw(panel); // the headset's panel shows the list with the name
-    CHECK(interface.shows("home.persons"));
-    interface.click("home.persons", panel);
+    const auto name = [&](ui::Context& context) { ui::personsButton(context, home.who, false); };
+    interface.draw(name);
+    interface.click("home.persons", name);
     CHECK(home.who.asked());
-    interface.draw(panel);
+    interface.draw(panel);                        // the headset's panel
     CHECK_FALSE(interface.shows("persons.name")); // no keyboard there
     CHECK_FALSE(interface.shows("home.attempts"));
     request = MenuRequest::none;
