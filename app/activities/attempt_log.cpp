@@ -28,8 +28,13 @@ void AttemptRecords::begin(Trainer& trainer) {
     ++attempt_;
     if (!wanted()) return;
     const std::filesystem::path name = freeName();
-    trainer.record(name, {attempt_, program_, driver_, true, false});
+    trainer.record(name, {attempt_, program_, driver_, true, false, welder_.person.name, welder_.person.id});
     newest_ = name;
+}
+
+void AttemptLog::weldedBy(const AttemptOwner& welder) {
+    records_.weldedBy(welder);
+    recordings_.weldedBy(welder);
 }
 
 std::string AttemptLog::begin(Trainer& trainer, bool goesBack) {

@@ -17,6 +17,9 @@ class AttemptRecords {
     /// Gives each attempt from the next one on a record: `file` for the first, `file`-2 next to it and so on for later
     /// ones. Names that exist already are skipped. `program` and `driver` are written to each.
     void use(const std::filesystem::path& file, std::string program, std::string driver);
+    /// Writes this welder to each record from the next attempt on; a guest has no name.
+    void weldedBy(const AttemptOwner& welder) { welder_ = welder; }
+    const AttemptOwner& welder() const { return welder_; }
     bool wanted() const { return !file_.empty(); }
 
     /// Counts another attempt and begins its record, if one is wanted. Throws InputError when it cannot be written.
@@ -41,6 +44,7 @@ class AttemptRecords {
     std::filesystem::path file_;
     std::filesystem::path newest_;
     std::string program_, driver_;
+    AttemptOwner welder_;
     int attempt_ = 0;
     bool lost_ = false;
 };
@@ -55,6 +59,9 @@ class AttemptLog {
     /// Checkpoints of the running attempt.
     Redo& redo() { return redo_; }
     const Redo& redo() const { return redo_; }
+
+    /// Takes the welder of all attempts from the next one on.
+    void weldedBy(const AttemptOwner& welder);
 
     /// Begins an attempt. `goesBack`: it may return to checkpoints. Returns the reason why its record cannot be
     /// written; empty: it is written, or none is wanted.

@@ -6,6 +6,7 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/shell_documents.hpp"
 #include "app/desktop/error_window.hpp"
+#include "app/library/persons.hpp"
 #include "app/platform/memory.hpp"
 #include "app/platform/program_info.hpp"
 #include "app/platform/say.hpp"
@@ -80,6 +81,10 @@ void addDesktop(CLI::App& app, Arguments& arguments) {
         ->type_name("FILE");
     app.add_option("--ghost", arguments.desktop.ghost, "Show the torch of this attempt or torch path beside yours")
         ->type_name("FILE");
+    app.add_option_function<std::string>(
+           "--person", [&arguments](const std::string& name) { arguments.desktop.person = name; },
+           "Name of the person who welds: scores and help are theirs")
+        ->type_name("NAME");
     app.add_flag("--no-recording", arguments.unrecorded, "Keep no recordings of attempts");
     CLI::Option* wanted = app.add_flag("--headset", arguments.headset,
                                        "Use the headset; without one the program ends and names the reason");
@@ -188,10 +193,20 @@ void addOthers(CLI::App& app, Arguments& arguments) {
     app.add_subcommand("manual", "Print the manual page, which 'man -l -' shows");
 }
 
+/// Throws before the window opens if no person can have this name.
+std::string checkedPerson(const std::string& name) {
+    try {
+        return personName(name);
+    } catch (const InputError& fault) {
+        throw InputError(std::string("--person: ") + fault.what());
+    }
+}
+
 DesktopOptions trainerOptions(const Arguments& arguments) {
     DesktopOptions options = arguments.desktop;
     if (arguments.headset) options.headset = HeadsetUse::wanted;
     options.recordings = !arguments.unrecorded;
+    if (options.person) options.person = checkedPerson(*options.person);
     if (arguments.desktopOnly) options.headset = HeadsetUse::off;
     return options;
 }

@@ -24,7 +24,8 @@ inline constexpr std::array<NamedText, 6> kVariables{{
     {"MELTPOOL_LESSONS", "Folder of a school's lessons"},
     {"MELTPOOL_DATA", "Folder of the program's shaders and data, if they are not next to the program"},
     {"XDG_CONFIG_HOME", "Settings and best scores are in its folder meltpool; else in ~/.config/meltpool"},
-    {"XDG_DATA_HOME", "Recordings, pages and own lessons are in its folder meltpool; else in ~/.local/share/meltpool"},
+    {"XDG_DATA_HOME",
+     "Recordings, pages, persons and own lessons are in its folder meltpool; else in ~/.local/share/meltpool"},
     {"XDG_CACHE_HOME", "Compiled shaders are in its folder meltpool; else in ~/.cache/meltpool"},
 }};
 

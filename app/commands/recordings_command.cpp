@@ -74,10 +74,11 @@ bool writeTable(const std::filesystem::path& file, const std::filesystem::path& 
 
 void printAttempt(const KeptAttempt& kept) {
     const std::string score = kept.score ? std::to_string(*kept.score) : "-";
-    std::printf("%-16s  %-20s %12s %5s %-12s %9.1f MB  %s\n", shown(kept.when).c_str(), shown(kept.lesson).c_str(),
+    std::printf("%-16s  %-20s %12s %5s %-12s %9.1f MB  %s%s\n", shown(kept.when).c_str(), shown(kept.lesson).c_str(),
                 durationText(kept.seconds).c_str(), score.c_str(),
                 shown(kept.practice ? phrase("run.recordings.practice") : verdictText(kept.verdict)).c_str(),
-                static_cast<double>(kept.bytes) * 1e-6, shown(kept.file.filename().string()).c_str());
+                static_cast<double>(kept.bytes) * 1e-6, shown(kept.file.filename().string()).c_str(),
+                kept.person.empty() ? "" : ("  " + shown(kept.person)).c_str());
 }
 
 /// Count of recordings that the limit removed from a folder.
@@ -90,9 +91,9 @@ size_t removedCount(const std::filesystem::path& folder) {
     }
 }
 
-constexpr std::array kColumns{"date",       "lesson",  "lesson_file", "attempt",   "seconds",
-                              "score",      "verdict", "practice",    "real_time", "ended",
-                              "state_hash", "bytes",   "program",     "driver",    "file"};
+constexpr std::array kColumns{"date",    "lesson",   "lesson_file", "attempt", "seconds",    "score",
+                              "verdict", "practice", "real_time",   "ended",   "state_hash", "bytes",
+                              "program", "driver",   "file",        "person",  "person_id"};
 
 /// Values of an attempt in the list, in the order of the columns.
 std::array<Json, kColumns.size()> rowOf(const KeptAttempt& kept) {
@@ -112,7 +113,9 @@ std::array<Json, kColumns.size()> rowOf(const KeptAttempt& kept) {
             kept.bytes,
             summary.head.program,
             summary.head.driver,
-            kept.file.string()};
+            kept.file.string(),
+            kept.person,
+            kept.personId};
 }
 
 /// Attempts of a folder in the program's order; their faults go to standard error.

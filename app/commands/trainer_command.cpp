@@ -18,6 +18,7 @@ void refuseWithoutDisplay(const DesktopOptions& options, const std::string& miss
     if (options.headset == HeadsetUse::wanted) option = "--headset";
     if (!options.telemetry.empty()) option = "--telemetry";
     if (!options.replay.empty()) option = "--replay";
+    if (options.person) option = "--person";
     if (options.watchShaders) option = "--watch-shaders";
     if (option != nullptr)
         throw InputError("there is no display (" + missing + "), and " + option +

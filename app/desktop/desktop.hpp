@@ -4,6 +4,7 @@
 #include "app/session/window_headset.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace meltpool {
@@ -22,6 +23,7 @@ struct DesktopOptions {
     std::filesystem::path record;    ///< file for every step of the lesson as a torch path; empty: none
     std::filesystem::path replay;    ///< saved attempt that the window opens on; empty: none
     std::filesystem::path ghost;     ///< attempt or torch path shown as the ghost; empty: the settings choose
+    std::optional<std::string> person; ///< name of the person who welds; empty: the account, or the home page asks
     bool recordings = true;          ///< every attempt gets a recording in the user's folder
     HeadsetUse headset = HeadsetUse::automatic;
     HeadsetMaker makeHeadset;  ///< maker of the window's headset, unused if `headset` is off

@@ -12,6 +12,7 @@ std::span<const DesktopAction> desktopActions() {
     constexpr auto noWelding = [](const App& app) {
         return !app.session_.welds() || app.session_.leader() == TorchLeader::hand;
     };
+    constexpr auto mayAskName = [](const App& app) { return app.home_.open && !app.home_.who.asked(); };
     static constexpr DesktopAction table[] = {
         {"lesson list", Request::home, Key::h, noWelding, [](App& app) { app.goHome(); }},
         {"open lesson",
@@ -41,6 +42,8 @@ std::span<const DesktopAction> desktopActions() {
         {"pause", Request::pause, {}, always, [](App& app) { app.togglePause(); }},
         {"redo", Request::redo, Key::backspace, always, [](App& app) { app.session_.redo(app.controls_); }},
         {"cut", Request::cut, Key::x, always, [](App& app) { app.cut(); }},
+        {"next person", Request::none, Key::n, mayAskName, [](App& app) { app.home_.who.ask(); }},
+        {"person", Request::welder, {}, always, [](App& app) { app.welders_.enter(app.clock_.now()); }},
         {"back", Request::none, Key::escape, always, [](App& app) { app.goBack(); }},
         {"hide panels", Request::none, Key::tab, always, [](App& app) { app.hidePanels(); }},
         {"help", Request::none, Key::f1, always, [](App& app) { app.toggle(&PanelState::help); }},

@@ -34,13 +34,14 @@ DesktopApp::DesktopApp(const DesktopOptions& options)
       menus_(window_, interface_),
       shaders_(resourceFolder() / "shaders"),
       steps_(shaders_.root()),
-      home_(LessonFolders::ofUser(), settingsFolder() / "best-scores.toml"),
+      home_(LessonFolders::ofUser(), settingsFolder() / "best-scores.toml", personsFolder()),
       session_(shaders_, loadLesson(options.lesson.empty() ? std::string(kDefaultLesson) : options.lesson),
                machineSeconds, steps_.thread()),
       sound_(session_),
       sections_(controls_, menus_.panels, session_),
       settings_(options.settings),
       lessons_(home_, session_, settings_, controls_, messages_),
+      welders_(home_, session_, messages_),
       picture_(shaders_),
       detail_(window_.driver().software),
       driver_(driverText(window_.driver())) {
@@ -51,6 +52,7 @@ DesktopApp::DesktopApp(const DesktopOptions& options)
     telemetry_.countCalls();
     for (std::string& fault : settings_.load(sections_.forFile(headsetSection())))
         messages_.warn(std::move(fault), clock_.now());
+    takeWelder();
     takeGhost();
     settings_.giveTo(session_.lesson(), session_.sections());
     for (const std::string& fault : home_.scores.faults())
@@ -73,11 +75,27 @@ DesktopApp::~DesktopApp() {
     steps_.abandon();
 }
 
+/// Takes the person named on the command line; without one the home page asks if there are names to choose from.
+void DesktopApp::takeWelder() {
+    welders_.use(sections_.ofPerson(headsetSection()));
+    for (const std::string& fault : home_.who.persons().faults())
+        messages_.warn(fault, clock_.now());
+    if (options_.person) {
+        if (!home_.who.take(*options_.person)) throw InputError("--person: " + home_.who.refusal());
+        welders_.enter(clock_.now());
+    } else if (options_.lesson.empty() && options_.replay.empty() && !home_.who.persons().all().empty()) {
+        home_.who.ask();
+    }
+}
+
 /// Reads the ghost's file early: a wrong file ends the program before the window shows anything, as far as the lesson
 /// is known by then.
 void DesktopApp::takeGhost() {
-    session_.attempt().ghost().findBestBy(
-        [](const std::string& lesson) { return bestKept(recordingsFolder(), lesson); });
+    session_.attempt().ghost().findBestBy([this](const std::string& lesson) {
+        const AttemptOwner& welder = home_.who.welder();
+        if (welder.kind == AttemptOwner::Kind::guest) return std::filesystem::path();
+        return bestKept(recordingsFolder(), lesson, welder.person.id);
+    });
     if (options_.ghost.empty()) return;
     std::error_code missing;
     if (!std::filesystem::is_regular_file(options_.ghost, missing))
@@ -100,6 +118,8 @@ bool DesktopApp::finish() {
     sections_.window.height = std::clamp(size.y, 480, 16384);
     sections_.window.maximised = window_.maximised();
     bool kept = true;
+    for (const std::string& fault : welders_.leave())
+        std::fprintf(stderr, "meltpool: %s\n", printable(fault, 3000).c_str());
     try {
         settings_.takeFrom(session_.lesson(), session_.sections());
         for (const std::string& fault : settings_.save(sections_.forFile(headsetSection())))
@@ -149,7 +169,7 @@ void DesktopApp::runFrame() {
     if (gl::debugBuild() || options_.watchShaders) shaderWatch_.update(shaders_, steps_.thread(), messages_, time);
     const bool captured = session_.running() && controls_.captured();
     // In the list of lessons the program itself takes arrow keys and Enter.
-    const bool byKeyboard = !session_.running() && (!home_.open || home_.attempts.shown() || menus_.panels.settings);
+    const bool byKeyboard = !session_.running() && (!home_.open || home_.attempts.shown() || home_.who.asked() || menus_.panels.settings);
     interface_.begin(sections_.window.interfaceSize, captured, byKeyboard);
     interface_.takeInput(input, captured);
     handleKeys(input);
@@ -327,6 +347,9 @@ void DesktopApp::tellMissingLetters() {
             look(lesson.title);
             look(lesson.text);
         }
+        if (home_.who.asked())
+            for (const KnownPerson& person : home_.who.persons().all())
+                look(person.name);
         if (home_.attempts.shown())
             for (const ReplayEntry& entry : home_.attempts.entries())
                 look(entry.detail);

@@ -9,6 +9,7 @@
 #include "app/desktop/desktop_menus.hpp"
 #include "app/desktop/desktop_settings.hpp"
 #include "app/desktop/desktop_sound.hpp"
+#include "app/desktop/desktop_welders.hpp"
 #include "app/desktop/detail_choice.hpp"
 #include "app/desktop/frame_clock.hpp"
 #include "app/desktop/frame_pacer.hpp"
@@ -42,6 +43,7 @@ class DesktopApp {
 
   private:
     void takeGhost();
+    void takeWelder();
     void runFrame();
     bool rests() const;
     ParameterSection* headsetSection();
@@ -70,6 +72,7 @@ class DesktopApp {
     void hidePanels();
     void start(void (LessonSession::*begin)(Controls&));
     void moveByKeys(const InputFrame& input);
+    void answerByKeys(const InputFrame& input);
     void demonstrateByKeys(const InputFrame& input);
     void replayByKeys(const InputFrame& input);
     void goOnByKeys(const InputFrame& input);
@@ -112,6 +115,7 @@ class DesktopApp {
 
     DesktopSettings settings_;
     DesktopLessons lessons_;
+    DesktopWelders welders_;
     ShaderWatch shaderWatch_;
     FramePacer pacer_;
     WindowPicture picture_;

@@ -8,6 +8,7 @@ namespace meltpool {
 /// Handles the keys of the pages before a lesson runs.
 void DesktopApp::moveByKeys(const InputFrame& input) {
     if (menus_.panels.overlaid()) return;
+    if (home_.open && home_.who.asked()) return answerByKeys(input);
     if (home_.open && home_.attempts.shown()) {
         if (std::find(input.struck.begin(), input.struck.end(), Key::escape) == input.struck.end()) return;
         if (Activities& activities = session_.activities(); activities.at(activities.comparison))
@@ -28,6 +29,16 @@ void DesktopApp::moveByKeys(const InputFrame& input) {
         act(MenuRequest::openLesson);
     else if (!ImGui::GetIO().NavVisible)
         act(MenuRequest::start);
+}
+
+/// Handles the keys of the question for a name, as far as its field does not take them: Enter accepts, Escape leaves
+/// it.
+void DesktopApp::answerByKeys(const InputFrame& input) {
+    const auto struck = [&](Key key) {
+        return std::find(input.struck.begin(), input.struck.end(), key) != input.struck.end();
+    };
+    if (struck(Key::escape)) return home_.who.close();
+    if (struck(Key::enter) && !ImGui::GetIO().NavVisible && home_.who.takeTyped()) act(MenuRequest::welder);
 }
 
 /// Handles the keys of the demonstration: pause, its time, and Enter for one's own attempt.

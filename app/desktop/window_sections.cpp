@@ -1,5 +1,7 @@
 #include "app/desktop/window_sections.hpp"
 
+#include "app/session/person_settings.hpp"
+
 namespace meltpool {
 
 WindowSections::WindowSections(Controls& controls, PanelState& panels, LessonSession& session)
@@ -15,6 +17,14 @@ std::vector<ParameterSection*> WindowSections::forFile(ParameterSection* headset
                                             &help.sound, &help.ghost, &recordings_};
     if (headset) sections.push_back(headset);
     return sections;
+}
+
+ParameterList WindowSections::ofPerson(const ParameterSection* headset) const {
+    ParameterList values;
+    for (const ParameterSection* section : {&window_, headset})
+        for (const Parameter& p : section != nullptr ? section->parameters : ParameterList())
+            if (PersonSettings::has(p.key)) values.push_back(p);
+    return values;
 }
 
 std::span<const ParameterSection* const> WindowSections::forViewMenu(const ParameterSection* headset) {

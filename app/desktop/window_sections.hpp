@@ -23,6 +23,8 @@ class WindowSections {
 
     /// Returns the sections of the settings file. `headset`: the headset's section; null: none.
     std::vector<ParameterSection*> forFile(ParameterSection* headset);
+    /// Returns the values that belong to the person who welds.
+    ParameterList ofPerson(const ParameterSection* headset) const;
     /// Returns the sections of the view menu, with those of the open lesson. Valid until the next call; does not
     /// allocate, since every frame calls it.
     std::span<const ParameterSection* const> forViewMenu(const ParameterSection* headset);

@@ -78,12 +78,16 @@ HeadsetMenuAnswer HeadsetMenu::draw(const xr::Panel& panel, const PointerOnPanel
 
 /// Draws the list of lessons; below it, closed, the headset's parameters that can be set before a lesson.
 void HeadsetMenu::homePart(ui::Context& context, LessonSession& session, const HeadsetMenuContent& content) {
-    ui::strongText(context, phrase("headset.lessons"));
+    ui::strongText(context, phrase(content.home.who.asked() ? "persons.heading" : "headset.lessons"));
     if (!content.warning.empty()) ui::quietText(context, content.warning);
     ImGui::Dummy({0, context.points(4)});
     if (const MenuRequest asked = ui::homePart(context, content.home, session.activities()); asked != MenuRequest::none)
         answer_.request = asked;
     answer_.recentre = plainButton(context, "headset.recentre", "headset.button.recentre", 140);
+    if (!content.home.who.asked()) {
+        ImGui::SameLine();
+        ui::personsButton(context, content.home.who, false);
+    }
     // Open until the first lesson; later by a press.
     if (ui::namedHeading(context, "headset", lessonSeen_ ? "buttons" : "first_buttons",
                          phrase("headset.legend.heading"), !lessonSeen_))

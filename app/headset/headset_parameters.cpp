@@ -1,12 +1,13 @@
 #include "app/headset/headset_parameters.hpp"
 
+#include "app/session/person_settings.hpp"
+
 #include <array>
 
 namespace meltpool {
 
 namespace {
 
-constexpr std::array<std::string_view, 2> kHands{"right", "left"};
 constexpr std::array<std::string_view, 2> kTorchOn{"controller", "tracker"};
 constexpr std::array<std::string_view, 3> kDeskViews{"automatic", "trainee", "camera"};
 constexpr std::array<std::string_view, 4> kBothEyes{"automatic", "viewports", "clip distances", "passes"};
@@ -23,7 +24,7 @@ std::span<const std::string_view> idleParameters(bool weld) {
 
 ParameterList describe(HeadsetParameters& p) {
     return {
-        {"hand", "Torch in the hand", "", &p.hand, 0, 1, "The other hand holds the pointer.", kHands},
+        {"hand", "Torch in the hand", "", &p.hand, 0, 1, "The other hand holds the pointer.", handChoices()},
         {"torch", "Torch on", "", &p.torchOn, 0, 1,
          "With tracker, a Vive tracker sits on a real torch. The trigger is its own or the hand's.", kTorchOn},
         {"table", "Height of the table", "", &p.table, 0, 1,

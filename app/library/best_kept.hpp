@@ -6,8 +6,10 @@
 
 namespace meltpool {
 
-/// Recording in a folder with the highest score at the lesson of this key, the newest of equal ones; an empty path if
-/// none has a score that counts. Reads heads and ends only.
-std::filesystem::path bestKept(const std::filesystem::path& folder, const std::string& lesson);
+/// Recording in a folder with the highest score of a person at the lesson of this key, the newest of equal ones; an
+/// empty path if none has a score that counts. `personId`: see AttemptHead; empty: attempts without a name. Reads heads
+/// and ends only.
+std::filesystem::path bestKept(const std::filesystem::path& folder, const std::string& lesson,
+                               const std::string& personId = {});
 
 } // namespace meltpool

@@ -45,6 +45,9 @@ class BestScores {
     /// file is moved aside as keepAside() does, and reported in faults(). If that fails no file takes its place.
     explicit BestScores(std::filesystem::path file);
 
+    /// Holds scores and skill in memory only, for a guest.
+    BestScores() : writable_(false) {}
+
     /// One sentence for each fault in the file, with its line, and the place where the file was moved. Faults that
     /// another program has brought in since are added when the file is written.
     const std::vector<std::string>& faults() const { return faults_; }
@@ -78,7 +81,7 @@ class BestScores {
     void save();
 
     std::filesystem::path file_;
-    bool writable_ = true; ///< true: no faulty file is at its place
+    bool writable_ = true; ///< true: there is a file, and no faulty one is at its place
     std::vector<std::string> faults_;
     Content content_;
     Skills written_;   ///< skills in the file when content_ was last merged with it

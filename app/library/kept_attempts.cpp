@@ -34,6 +34,8 @@ Dated readKept(const fs::path& file) {
     kept.lessonFile = summary.head.lessonFile;
     kept.when = whenText(summary.head.date);
     kept.seconds = summary.seconds;
+    kept.person = summary.head.person;
+    kept.personId = summary.head.personId;
     kept.bytes = summary.bytes;
     kept.practice = summary.redone > 0;
     if (summary.end) {

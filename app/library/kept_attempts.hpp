@@ -24,6 +24,8 @@ struct KeptAttempt {
     std::string ended;        ///< reason of the end; empty: it still runs, or its program crashed
     bool practice = false;    ///< true: it went back to an earlier checkpoint, and its score does not count
     std::uint64_t bytes = 0;  ///< size of the file
+    std::string person = {};  ///< name of the person who welded; empty: not named
+    std::string personId = {}; ///< see AttemptHead
 };
 
 /// Recordings of a folder, newest first, by the moment of their start. Reads heads and ends only. `faults`, if given,

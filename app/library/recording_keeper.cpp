@@ -36,7 +36,7 @@ void RecordingKeeper::use(const fs::path& folder, std::string program, std::stri
 void RecordingKeeper::begin(Trainer& trainer, int attempt) {
     close();
     fault_.clear();
-    if (folder_.empty() || !parameters.keep) return;
+    if (folder_.empty() || !parameters.keep || welder_.kind == AttemptOwner::Kind::guest) return;
     try {
         open(trainer, attempt);
     } catch (const std::exception& failure) {
@@ -56,6 +56,8 @@ void RecordingKeeper::open(Trainer& trainer, int attempt) {
     head.lessonFile = fileOutsideCatalogue(trainer.lesson());
     head.lessonHash = fileHash(trainer.lesson().file);
     head.attempt = attempt;
+    head.person = welder_.person.name;
+    head.personId = welder_.person.id;
     const Moment now = momentNow();
     head.date = isoDate(std::chrono::system_clock::to_time_t(now));
     head.utc = utcText(now);

@@ -1,6 +1,7 @@
 // The keeper of a session's recordings: one of each attempt, made automatically, and a fault if it cannot be made.
 #pragma once
 
+#include "app/library/persons.hpp"
 #include "app/library/recordings_limit.hpp"
 #include "core/render/view.hpp"
 #include "core/training/attempt/recording_writer.hpp"
@@ -23,6 +24,9 @@ class RecordingKeeper {
     /// Gives each attempt from the next one on a recording in `folder`, which is created if missing. `program` and
     /// `driver` are written to each.
     void use(const std::filesystem::path& folder, std::string program, std::string driver);
+
+    /// Writes this welder to each recording from the next attempt on; those of a guest have none.
+    void weldedBy(const AttemptOwner& welder) { welder_ = welder; }
 
     /// Begins an attempt. An obstacle to its recording is in fault(): the attempt goes on without one. Makes room
     /// within the limit.
@@ -69,6 +73,7 @@ class RecordingKeeper {
 
     std::filesystem::path folder_;
     std::string program_, driver_;
+    AttemptOwner welder_;
     std::filesystem::path newest_;
     std::vector<std::filesystem::path> made_; ///< recordings of this run, which the limit never removes
     std::shared_ptr<RecordingWriter> current_;

@@ -1,6 +1,7 @@
 #include "app/library/replay_list.hpp"
 
 #include "app/library/kept_attempts.hpp"
+#include "core/base/text.hpp"
 #include "core/base/words.hpp"
 
 #include <algorithm>
@@ -11,10 +12,11 @@ namespace meltpool {
 
 namespace {
 
-/// Details of an attempt: "2026-11-23 08:10 · 12.3 s · score 84, accepted".
+/// Details of an attempt: "2026-11-23 08:10 · Anna · 12.3 s · score 84, accepted".
 std::string detailOf(const KeptAttempt& kept) {
     const std::string dot = " \xC2\xB7 ";
-    std::string text = kept.when + dot + lengthText(kept.seconds);
+    std::string text =
+        kept.when + (kept.person.empty() ? "" : dot + printable(kept.person, 200)) + dot + lengthText(kept.seconds);
     if (kept.score) text += dot + phrase("library.attempt.score", {{"score", std::to_string(*kept.score)}});
     if (!kept.verdict.empty()) text += (kept.score ? phrase("list.separator") : dot) + verdictText(kept.verdict);
     return kept.practice ? text + dot + phrase("library.attempt.practice") : text;

@@ -13,7 +13,7 @@ namespace meltpool {
 struct ReplayEntry {
     std::filesystem::path file;
     std::string lesson; ///< key
-    std::string detail; ///< date, duration and score
+    std::string detail; ///< date, person, duration and score
 };
 
 class ReplayList {

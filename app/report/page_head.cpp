@@ -135,6 +135,7 @@ std::string headPart(const RunResults& results) {
     const json& attempt = partIn(result, "attempt");
     const std::string key = textIn(result, "lesson"), title = textIn(result, "title");
     std::string html = "<h1>" + (title.empty() ? key : title) + "</h1>\n<ul class=\"facts\">\n";
+    html += fact("person", textIn(attempt, "person"));
     html += fact("lesson", key) + fact("kind", kindOf(result)) + fact("date", dateOf(result));
     html += fact("settings", textIn(result, "chosen_text"));
     html += fact("sizes", textIn(result, "simulated_text"));

@@ -94,6 +94,8 @@ std::filesystem::path writeAttemptPage(LessonSession& session, double zoom, cons
     const Judgement& judgement = attempt.judged()->judgement;
     AttemptFacts facts;
     facts.head.date = formatDate(std::chrono::system_clock::now());
+    facts.head.person = session.log().records().welder().person.name;
+    facts.head.personId = session.log().records().welder().person.id;
     facts.forScore = values.forScore();
     facts.realTime = judgement.realTime;
     facts.zoom = zoom;

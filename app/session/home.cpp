@@ -8,8 +8,12 @@
 
 namespace meltpool {
 
-Home::Home(LessonFolders lessons, const std::filesystem::path& scoresFile)
-    : scores(scoresFile), folders_(std::move(lessons)), lessons_(readCatalogue(folders_, faults_)) {
+Home::Home(LessonFolders lessons, const std::filesystem::path& scoresFile, const std::filesystem::path& persons)
+    : who(persons),
+      scores(scoresFile),
+      accountScores_(scoresFile),
+      folders_(std::move(lessons)),
+      lessons_(readCatalogue(folders_, faults_)) {
     if (lessons_.empty())
         throw InputError(folders_.folders().front().path, 0, "holds no lesson; expected files that end in .toml");
     choose(kDefaultLesson);
@@ -23,6 +27,20 @@ void Home::refresh() {
     lessons_ = std::move(fresh);
     choose(chosen_); // the list may have become shorter
     choose(key);
+}
+
+void Home::takeScores() {
+    switch (who.welder().kind) {
+    case AttemptOwner::Kind::account:
+        scores = BestScores(accountScores_);
+        break;
+    case AttemptOwner::Kind::person:
+        scores = BestScores(who.persons().scoresFile(who.welder().person));
+        break;
+    case AttemptOwner::Kind::guest:
+        scores = BestScores();
+        break;
+    }
 }
 
 std::vector<Home::Group> Home::groups() const {

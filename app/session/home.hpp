@@ -5,6 +5,7 @@
 #include "app/library/lesson_catalogue.hpp"
 #include "app/library/lesson_pictures.hpp"
 #include "app/library/replay_list.hpp"
+#include "app/session/who_welds.hpp"
 #include "core/training/lesson/lesson.hpp"
 
 #include <filesystem>
@@ -16,8 +17,9 @@ namespace meltpool {
 
 class Home {
   public:
-    /// Reads the lessons. `scores`: the file of best scores. Throws InputError when the shipped lessons cannot be read.
-    Home(LessonFolders lessons, const std::filesystem::path& scores);
+    /// Reads the lessons. `scores`: the account's file of best scores. `persons`: folder of the persons, see Persons.
+    /// Throws InputError when the shipped lessons cannot be read.
+    Home(LessonFolders lessons, const std::filesystem::path& scores, const std::filesystem::path& persons = {});
 
     bool open = false; ///< true: the page is shown instead of a lesson
 
@@ -54,7 +56,10 @@ class Home {
     /// Line below a lesson's title: "Level 2 of 5 · Best 84, accepted".
     std::string standing(const CataloguedLesson& lesson) const;
 
-    BestScores scores;
+    WhoWelds who;
+    /// Reads the best scores of who.welder(): the person's, the account's, or none for a guest.
+    void takeScores();
+    BestScores scores; ///< of the person who welds
     LessonPictures pictures;
     ReplayList attempts;
 
@@ -62,6 +67,7 @@ class Home {
     /// Index one row further, in this column or at the row's end; `index` itself if there is no such row.
     size_t rowBeyond(size_t index, int down) const;
 
+    std::filesystem::path accountScores_;
     LessonFolders folders_;
     std::vector<std::string> faults_;
     std::vector<CataloguedLesson> lessons_;

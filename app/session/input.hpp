@@ -17,6 +17,7 @@ enum class Key {
     f,
     h,
     j,
+    n,
     q,
     r,
     s,

@@ -51,7 +51,8 @@ enum class MenuRequest {
     pause, ///< the lesson, or go on with it
     page,  ///< the judged attempt's page, written as a file
     redo,  ///< back to before the chosen fault, or some seconds
-    cut    ///< the weld open, or closed again
+    cut,   ///< the weld open, or closed again
+    welder ///< person who was chosen on the home page
 };
 
 } // namespace meltpool

@@ -143,6 +143,19 @@ void attemptsButton(Context& context, Home& home, const Activities& activities) 
         home.attempts.show();
 }
 
+/// Keys of the page's heading and of the sentence below it.
+struct HomeWords {
+    const char* heading;
+    const char* hint;
+};
+
+HomeWords wordsOf(const Home& home, const Activities& activities) {
+    if (home.who.asked()) return {"persons.heading", "persons.hint"};
+    if (!home.attempts.shown()) return {"home.lessons", "home.lessons_hint"};
+    if (activities.at(activities.comparison)) return {"home.two_attempts", "home.two_attempts_hint"};
+    return {"home.attempts", "home.attempts_hint"};
+}
+
 } // namespace
 
 void drawPicture(ImDrawList& draw, GLuint texture, ImVec2 low, ImVec2 high) {
@@ -173,18 +186,17 @@ MenuRequest homePage(Context& context, Home& home, Activities& activities, const
     ImGui::SameLine(0, context.points(14));
     ImGui::BeginGroup();
     ImGui::PushFont(low ? context.fonts.strong : context.fonts.title);
-    const bool attempts = home.attempts.shown();
-    const bool both = attempts && activities.at(activities.comparison);
-    ImGui::TextUnformatted(phrase(both ? "home.two_attempts" : attempts ? "home.attempts" : "home.lessons").c_str());
+    const HomeWords words = wordsOf(home, activities);
+    ImGui::TextUnformatted(phrase(words.heading).c_str());
     ImGui::PopFont();
-    if (!low)
-        quietText(context, phrase(both       ? "home.two_attempts_hint"
-                                  : attempts ? "home.attempts_hint"
-                                             : "home.lessons_hint"));
+    if (!low) quietText(context, phrase(words.hint));
     ImGui::EndGroup();
+    if (!home.who.asked()) personsButton(context, home.who, true);
     ImGui::BeginChild("lessons", {0, -context.points(44)});
     MenuRequest request = MenuRequest::none;
-    if (attempts)
+    if (home.who.asked())
+        request = personsPart(context, home.who, true);
+    else if (home.attempts.shown())
         request = attemptList(context, home, activities, kAttemptsAPage);
     else if (lessonGrid(context, home))
         request = MenuRequest::openLesson;
@@ -197,8 +209,10 @@ MenuRequest homePage(Context& context, Home& home, Activities& activities, const
     if (button(context, "home.settings", phrase("home.settings").c_str(),
                panels.settings ? ButtonKind::lit : ButtonKind::plain, 100, phrase("home.settings_tip").c_str()))
         panels.settings = !panels.settings;
-    ImGui::SameLine(0, context.points(14));
-    attemptsButton(context, home, activities);
+    if (!home.who.asked()) {
+        ImGui::SameLine(0, context.points(14));
+        attemptsButton(context, home, activities);
+    }
     ImGui::SameLine(0, context.points(14));
     ImGui::AlignTextToFramePadding();
     quietLine(context, driver);
@@ -208,6 +222,7 @@ MenuRequest homePage(Context& context, Home& home, Activities& activities, const
 
 MenuRequest homePart(Context& context, Home& home, Activities& activities) {
     MenuRequest request = MenuRequest::none;
+    if (home.who.asked()) return personsPart(context, home.who, false);
     if (home.attempts.shown()) {
         request = attemptList(context, home, activities, kAttemptsOnPanel);
         attemptsButton(context, home, activities);

@@ -164,6 +164,7 @@ void KeyGuide::addProgram(const KeySituation& now) {
         add(keys(kHere, {Key::left, Key::right, Key::up, Key::down}, "help.in_the_list_of_lessons", {},
                  "help.key.arrows_enter"));
     if (now.home) add(keys(kHere, {Key::tab}, "help.to_the_attempts"));
+    if (now.home) add(keys(kHere, {Key::n}, "help.next_person"));
     if (!now.home && !now.lesson) {
         add(keys(kHere, {Key::enter}, "help.start_the_lesson"));
         add(keys(kHere, {Key::tab}, "help.to_the_next_control"));

@@ -36,6 +36,11 @@ MenuRequest homePage(Context& context, Home& home, Activities& activities, const
 void settingsOverlay(Context& context, bool& open, std::span<const ParameterSection* const> sections);
 /// Draws the list of lessons inside the current window, a few a page, for the headset's panel.
 MenuRequest homePart(Context& context, Home& home, Activities& activities);
+/// Draws the question for the name of the person who welds inside the current window. `typing`: with a field for it.
+MenuRequest personsPart(Context& context, WhoWelds& who, bool typing);
+/// Draws the button with the name of the person who welds, which asks for the next one. `atRight`: at the right end of
+/// the last item's line, or below it if there is no room.
+void personsButton(Context& context, WhoWelds& who, bool atRight);
 /// Draws the lesson's first page: task, machine values, start.
 MenuRequest startMenu(Context& context, LessonSession& session, Home& home, const std::string& driver);
 /// Draws the values that are set before the start, inside the current window.

@@ -133,6 +133,8 @@ void resultHead(Context& context, const LessonSession& session, const Home& home
     ImGui::TextUnformatted(rows.score.c_str());
     ImGui::PopFont();
     markItem(context, "result.score");
+    if (const std::string name = home.who.name(); !name.empty())
+        quietText(context, phrase("persons.welder", {{"name", name}}));
     if (!best.empty()) quietText(context, best);
     if (session.log().redo().redone() > 0) quietText(context, phrase("result.note.practice"));
     quietText(context, rows.scoreNote);

@@ -39,6 +39,7 @@ TEST_CASE("a judged attempt becomes a page beside its record, and the record alo
     LessonSession session(test::shaders(), test::smallBead(), [] { return 0.0; });
     Controls controls;
     session.log().records().use(record, "program", "driver");
+    session.log().weldedBy({AttemptOwner::Kind::person, {"0123456789abcdef", "Anna <& Co>", ""}});
     session.begin(controls);
     CHECK_THROWS_AS(writeAttemptPage(session, 1, "driver"), InputError); // no judgement yet
     float x = -0.010f;
@@ -49,9 +50,10 @@ TEST_CASE("a judged attempt becomes a page beside its record, and the record alo
     CHECK(page == folder / "weld.html");
     const std::string html = readTextFile(page);
     CHECK(test::firstUnclosed(html) == "");
-    for (const char* text : {"practice", "<b>Zoom:</b> 2.0", "<b>Help:</b> cues: speed angles distance aim seam arc",
-                             "a driver", "Travel speed", "ISO 5817", "data:image/png;base64,iVBOR",
-                             "The weld cut across at", "<polyline", "class=\"seam\""}) {
+    for (const char* text :
+         {"practice", "<b>Welder:</b> Anna &lt;&amp; Co&gt;", "<b>Zoom:</b> 2.0",
+          "<b>Help:</b> cues: speed angles distance aim seam arc", "a driver", "Travel speed", "ISO 5817",
+          "data:image/png;base64,iVBOR", "The weld cut across at", "<polyline", "class=\"seam\""}) {
         INFO(text);
         CHECK_THAT(html, containsText(text));
     }
@@ -62,6 +64,8 @@ TEST_CASE("a judged attempt becomes a page beside its record, and the record alo
     const RunResults hand = readRecordResults(record, test::smallBead());
     CHECK(hand.result.at("score").at("total").get<double>() == Approx(score).margin(0.01));
     CHECK(hand.notes.size() == 1);
+    CHECK(hand.result.at("attempt").at("person") == "Anna <& Co>");
+    CHECK(hand.result.at("attempt").at("person_id") == "0123456789abcdef");
 }
 
 TEST_CASE("the page of an attempt without a record goes into the user's folder", "[app]") {

@@ -56,6 +56,11 @@ TEST_CASE("bad command lines are refused", "[app]") {
              {"--headset run classic" + out, "--headset is an option of the trainer's window", "run --help"},
              {"--lesson x bench classic", "--lesson is an option of the trainer's window", "bench --help"},
              {"--record x lessons", "--record is an option of the trainer's window", "lessons --help"},
+             {"--person ''", "--person: The name is empty", "expected 1 to 40 letters"},
+             {"--person ' ' --desktop", "--person: The name is empty", "expected 1 to 40 letters"},
+             {"--person " + std::string(41, 'x'), "--person: The name 'xxx", "has 41 letters; expected 40 at most"},
+             {"--person $(printf 'a\\001b')", "--person: The name 'a", "expected letters, digits"},
+             {"--person Anna recordings", "--person is an option of the trainer's window", "recordings --help"},
              {"run gmaw-bead --set voltage=30" + out, "'voltage' is '30'", "expected a number from 20 to 26 (V)"},
              {"run gmaw-bead --set metal=cheese" + out, "unknown material 'cheese'", "expected one of 304"},
          })

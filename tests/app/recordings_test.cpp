@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <set>
 
 using namespace meltpool;
 using namespace meltpool::test;
@@ -88,6 +89,30 @@ fs::path keptFile(const fs::path& folder, int day, size_t bytes) {
 }
 
 } // namespace
+
+TEST_CASE("the recordings of two persons bear their names; an attempt of a guest has none", "[app]") {
+    const fs::path folder = scratchFolder("recordings-persons") / "recordings";
+    Welder welder(folder);
+    AttemptLog& log = welder.session.log();
+    const auto attemptOf = [&](const AttemptOwner& owner) {
+        log.weldedBy(owner);
+        welder.session.begin(welder.controls);
+        welder.weld(5);
+        welder.session.end("start menu");
+    };
+    attemptOf({AttemptOwner::Kind::person, {"00000000000000aa", "Anna", ""}});
+    attemptOf({AttemptOwner::Kind::guest, {}});
+    CHECK(welder.messages.shown().empty());
+    attemptOf({AttemptOwner::Kind::person, {"00000000000000bb", "Bert", ""}});
+    attemptOf({});
+    log.recordings().finish();
+    std::vector<std::string> faults;
+    std::multiset<std::string> persons;
+    for (const KeptAttempt& kept : keptRecordings(folder, &faults))
+        persons.insert(kept.person + " " + kept.personId);
+    CHECK(faults.empty());
+    CHECK(persons == std::multiset<std::string>{" ", "Anna 00000000000000aa", "Bert 00000000000000bb"});
+}
 
 TEST_CASE("each attempt has a recording that replays to the same bits, whatever was changed while it ran", "[app]") {
     const fs::path folder = scratchFolder("recordings") / "made" / "by the program";
@@ -239,6 +264,7 @@ TEST_CASE("recordings keep within their limit: the oldest are removed and named,
     CHECK(keptRecordings(folder / "nowhere").empty());
     CHECK(bestKept(folder, kept[0].lesson) == files[3]); // newest of equal ones
     CHECK(bestKept(folder, "no-such-lesson").empty());
+    CHECK(bestKept(folder, kept[0].lesson, "0123456789abcdef").empty()); // of another person
 }
 
 TEST_CASE("the order of attempts is that of their moments, whatever clock on the wall has named them", "[app]") {

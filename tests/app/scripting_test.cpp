@@ -24,6 +24,7 @@ namespace fs = std::filesystem;
 void keep(const fs::path& folder, int day, const std::string& lesson, bool ended) {
     AttemptHead head = test::recordedHead(lesson);
     head.date = "2026-01-0" + std::to_string(day) + "T10:00:00+0000";
+    if (day == 1) head.person = "Anna, \"A\"", head.personId = "0123456789abcdef";
     test::RecordingBytes recording;
     recording.head(head).step(test::recordedStep(1));
     if (ended) recording.end(test::recordedEnd(1));
@@ -89,6 +90,9 @@ TEST_CASE("attempts are listed as JSON and as one table with their results", "[a
     CHECK(list[2].at("score") == 83.5);
     CHECK(list[2].at("verdict") == "accepted");
     CHECK(list[2].at("practice") == false);
+    CHECK(list[2].at("person") == "Anna, \"A\"");
+    CHECK(list[2].at("person_id") == "0123456789abcdef");
+    CHECK(list[1].at("person") == "");
     CHECK(list[2].at("file") == (folder / "day-1.meltrec").string());
 
     const fs::path table = folder / "all.csv";
@@ -104,6 +108,10 @@ TEST_CASE("attempts are listed as JSON and as one table with their results", "[a
                containsText("2026-01-03T10:00:00+0000,classic,,3,") && containsText(",,,no,,,,"));
     CHECK_THAT(std::string(lines[2]), containsText(",\"a \"\"strange\"\", name\",,3,"));
     CHECK_THAT(std::string(lines[3]), containsText(",83.5,accepted,no,0.75,start menu,0123456789abcdef,"));
+    CHECK(lines[0].ends_with(",file,person,person_id"));
+    CHECK(lines[3].ends_with("day-1.meltrec,\"Anna, \"\"A\"\"\",0123456789abcdef"));
+    CHECK_THAT(runMeltpool("recordings --folder '" + folder.string() + "'").output,
+               containsText("day-1.meltrec  Anna, \"A\"\n"));
     CHECK(runMeltpool(arguments + " --quiet").output == table.string() + "\n");
 
     // A lone recording name would name the output; the recording must not be overwritten.

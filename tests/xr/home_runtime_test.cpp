@@ -247,6 +247,33 @@ TEST_CASE("from the list of lessons to the weld, its result and back the panel o
     CHECK(trainer.misuses() == "");
 }
 
+TEST_CASE("the panel asks who welds; the recording of the lesson bears the name that was pressed", "[runtime]") {
+    handGeometry();
+    const fs::path folder = benchFolder() / "who";
+    const fs::path person = folder / "meltpool" / "persons" / "0123456789abcdef";
+    fs::create_directories(person);
+    writeTextFileAtomically(person / "person.toml", "name = \"Anna\"\n");
+    Trainee trainee;
+    trainee.bottom = -0.010f;
+    trainee.zoom = 1;
+    trainee.take("gmaw");
+    const auto process = startAtHome(folder);
+    TrainerProcess& trainer = *process;
+    REQUIRE(trainer.waitFor(offers("persons.known.0")));
+    CHECK_FALSE(offers("home.lesson.plate")(trainer.now()));
+    passFrames(trainer, 4);
+    keepPicture(screenshot(), "who.png");
+    trainee.press(trainer, "persons.known.0", offers("home.persons"));
+    REQUIRE(trainer.waitFor(offers("home.lesson.plate")));
+    trainee.press(trainer, "home.lesson.plate", offers("headset.start"));
+    trainee.press(trainer, "headset.start", running);
+    CHECK(trainer.stop() == 0);
+    const auto recordings = recordingsIn(folder / "meltpool" / "recordings");
+    REQUIRE(recordings.size() == 1);
+    CHECK(readRecording(recordings.front()).head.person == "Anna");
+    CHECK(readRecording(recordings.front()).head.personId == "0123456789abcdef");
+}
+
 TEST_CASE("in the headset an attempt goes back, is held against another one, and is the ghost of a third",
           "[runtime][long]") {
     handGeometry();

@@ -19,9 +19,11 @@ struct TextLine {
     std::string_view word;
     std::string AttemptHead::*text;
 };
-constexpr std::array<TextLine, 7> kTexts{{{"lesson", &AttemptHead::lesson},
+constexpr std::array<TextLine, 9> kTexts{{{"lesson", &AttemptHead::lesson},
                                           {"lesson_file", &AttemptHead::lessonFile},
                                           {"lesson_hash", &AttemptHead::lessonHash},
+                                          {"person", &AttemptHead::person},
+                                          {"person_id", &AttemptHead::personId},
                                           {"date", &AttemptHead::date},
                                           {"utc", &AttemptHead::utc},
                                           {"program", &AttemptHead::program},
@@ -37,6 +39,8 @@ void appendHeadLines(std::string& text, std::string_view prefix, const AttemptHe
     known("lesson_file", head.lessonFile);
     known("lesson_hash", head.lessonHash);
     appendRecordLine(text, prefix, "attempt", std::to_string(head.attempt), {});
+    known("person", head.person);
+    known("person_id", head.personId);
     known("date", head.date);
     known("utc", head.utc);
     appendRecordLine(text, prefix, "program", head.program, {});

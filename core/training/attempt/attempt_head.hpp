@@ -15,6 +15,8 @@ struct AttemptHead {
     std::string lessonFile;                                  ///< file of a lesson outside the catalogue; else empty
     std::string lessonHash;                                  ///< fileHash() of the lesson's file
     int attempt = 1;                                         ///< counted from the program's start
+    std::string person;                                      ///< name of the person who welds; empty: not named
+    std::string personId;                                    ///< equal for all attempts of this person
     std::string date;                                        ///< local time of the start
     std::string utc;                                         ///< start in UTC, see utcText(); empty in old recordings
     std::string program;                                     ///< version and commit
@@ -25,8 +27,8 @@ struct AttemptHead {
     bool rod = false;                                        ///< the process melts a filler rod
 };
 
-/// Appends lines `PREFIX WORD TEXT` for lesson, attempt, date, program and driver. Unknown texts get no line, except
-/// program and driver.
+/// Appends lines `PREFIX WORD TEXT` for lesson, attempt, person, date, program and driver. Unknown texts get no line,
+/// except program and driver.
 void appendHeadLines(std::string& text, std::string_view prefix, const AttemptHead& head);
 /// Appends lines `PREFIX value KEY TEXT` and `PREFIX chosen KEY`.
 void appendStartValues(std::string& text, std::string_view prefix, const AttemptHead& head);

@@ -129,6 +129,8 @@ Json attemptOf(const AttemptFacts& facts) {
     const auto text = [&](const char* key, const std::string& value) {
         if (!value.empty()) json[key] = value;
     };
+    text("person", facts.head.person);
+    text("person_id", facts.head.personId);
     text("date", facts.head.date);
     text("program", facts.head.program);
     text("driver", facts.head.driver);

@@ -16,7 +16,7 @@ namespace meltpool {
 
 /// Circumstances of an attempt, other than the hand. Unknown ones are empty.
 struct AttemptFacts {
-    AttemptHead head; ///< date, program and driver are written
+    AttemptHead head; ///< person, date, program and driver are written
     std::optional<bool> forScore;
     std::optional<double> realTime; ///< simulated time over real time
     std::optional<double> zoom;     ///< scale of the shown workpiece

@@ -139,6 +139,8 @@ void Trainer::record(const std::filesystem::path& file, const RecordContext& con
     head.attempt = context.attempt;
     head.program = context.program;
     head.driver = context.driver;
+    head.person = context.person;
+    head.personId = context.personId;
     recorder_.writeCsv(file, head, context.paced, context.replace);
 }
 

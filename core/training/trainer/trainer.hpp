@@ -35,6 +35,8 @@ struct RecordContext {
     std::string driver;
     bool paced = false;  ///< a person welds by the clock
     bool replace = true; ///< true: replaces a file of this name
+    std::string person = {};   ///< name of the person who welds; empty: not named
+    std::string personId = {}; ///< see AttemptHead
 };
 
 /// Watches the steps of a lesson, on the thread that makes them.

@@ -90,6 +90,24 @@ TEST_CASE("a recording reads back to the same bits", "[training]") {
                          << " MB a minute at 90 steps a second");
 }
 
+TEST_CASE("a recording and its table bear the name and the id of the person who welded", "[training]") {
+    AttemptHead head = test::recordedHead("classic");
+    head.person = "J\xC3\xBCrgen \"J\" M\xC3\xBCller / 2";
+    head.personId = "0123456789abcdef";
+    const fs::path file =
+        written(test::RecordingBytes().head(head).step(test::recordedStep(1)).end(test::recordedEnd(1)).bytes(),
+                "named.meltrec");
+    const Recording recording = readRecording(file);
+    CHECK(recording.head.person == head.person);
+    CHECK(recording.head.personId == head.personId);
+    CHECK(readRecordingSummary(file).head.person == head.person);
+    const auto fromTable = readRecordedAttempt(written(recordingCsv(recording), "named.csv"));
+    REQUIRE(fromTable);
+    CHECK(fromTable->head.person == head.person);
+    CHECK(fromTable->head.personId == head.personId);
+    CHECK(readRecording(written(test::recordingOf("classic", 1))).head.person.empty()); // of before there were names
+}
+
 TEST_CASE("the table of a recording is a record of the same attempt", "[training]") {
     const fs::path file = written(test::recordingOf("classic", 20));
     const fs::path table = written(recordingCsv(readRecording(file)), "table.csv");
