@@ -49,8 +49,15 @@ class AttemptCues {
 
     /// Begins an attempt.
     void begin();
+    /// Sets the quantities that the desk has held by itself in this attempt, which are no skill of the trainee.
+    void setHeldByDesk(const QuantitySet& held) { heldByDesk_ = held; }
     /// Takes the score of the attempt so far. The last judgement counts, once; cues fade from the next attempt on.
-    void practised(const TechniqueScore& score) { skill_ = before_.after(score); }
+    void practised(const TechniqueScore& score) { skill_ = before_.after(score, heldByDesk_); }
+    /// Cues that are on but have faded away.
+    CueSet faded() const { return faded_; }
+    /// Shows faded cues at full strength in this attempt, or lets them fade again.
+    void toggleFaded() { showsFaded_ = !showsFaded_; }
+    bool showsFaded() const { return showsFaded_; }
 
     /// Takes the last step of a frame. `test`: an attempt for score, which has no cues. `elapsed`: s of real time since
     /// the last call. Notes in the record which cues are on, when they change: `cues speed aim`. Allocates nothing
@@ -68,6 +75,7 @@ class AttemptCues {
 
   private:
     CueSet switchedOn() const;
+    CueSkill shownSkill() const { return showsFaded_ ? CueSkill() : before_; }
 
     std::vector<std::string_view> idle_;
     CueSet allowed_ = CueSet::all(); ///< cues that the lesson allows
@@ -76,7 +84,11 @@ class AttemptCues {
     CueSet used_;
     CueSkill skill_;
     CueSkill before_;             ///< skill before this attempt
+    QuantitySet heldByDesk_;      ///< in this attempt
+    CueSet faded_;                ///< cues of wanted_ that the skill has taken away
+    bool showsFaded_ = false;
     std::optional<CuePose> pose_; ///< pose that follows the torch a little late, see followedPose()
+    std::optional<WeldedPlaces> welded_;
     CueShapes shapes_;
 };
 

@@ -40,6 +40,7 @@ std::span<const DesktopAction> desktopActions() {
          [](App& app) { app.lessons_.writePage(app.driver_, app.clock_.now()); }},
         {"pause", Request::pause, {}, always, [](App& app) { app.togglePause(); }},
         {"redo", Request::redo, Key::backspace, always, [](App& app) { app.session_.redo(app.controls_); }},
+        {"hidden cues", Request::none, Key::k, always, [](App& app) { app.session_.attempt().cues().toggleFaded(); }},
         {"cut", Request::cut, Key::x, always, [](App& app) { app.cut(); }},
         {"back", Request::none, Key::escape, always, [](App& app) { app.goBack(); }},
         {"hide panels", Request::none, Key::tab, always, [](App& app) { app.hidePanels(); }},

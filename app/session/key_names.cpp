@@ -4,7 +4,7 @@ namespace meltpool {
 
 namespace {
 
-constexpr std::array<char, 13> kUsual{'A', 'C', 'D', 'E', 'F', 'H', 'J', 'Q', 'R', 'S', 'V', 'W', 'X'};
+constexpr std::array<char, 14> kUsual{'A', 'C', 'D', 'E', 'F', 'H', 'J', 'K', 'Q', 'R', 'S', 'V', 'W', 'X'};
 static_assert(kUsual.size() == static_cast<size_t>(Key::left));
 
 /// Capital of a letter below U+0800.

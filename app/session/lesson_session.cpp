@@ -50,9 +50,12 @@ void LessonSession::prepare(Controls& controls) {
     controls.source().setCold(lesson().source.kind == 1);
     lead_.begin(lesson());
     controls.leadTorch(lead_.desk().leads());
-    const CameraParameters& camera = lesson().camera;
-    controls.placeCamera(OrbitCamera(glm::radians(camera.azimuth), glm::radians(camera.elevation), camera.distance));
-    controls.lens.fieldOfView = glm::radians(camera.fieldOfView);
+    controls.lens.fieldOfView = glm::radians(lesson().camera.fieldOfView);
+    camera_.begin(controls, lesson(), lead_.desk());
+}
+
+void LessonSession::frameCamera(Controls& controls, const CoveredEdges& covered, float aspect) {
+    if (running() && !run_.arc().burns()) camera_.frame(controls, covered, aspect);
 }
 
 void LessonSession::begin(Controls& controls) {

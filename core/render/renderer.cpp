@@ -14,6 +14,7 @@
 #include "core/render/look/noise.hpp"
 #include "core/render/look/temperature_scale.hpp"
 #include "core/render/solids.hpp"
+#include "core/render/source_model.hpp"
 #include "core/render/stroke_painter.hpp"
 #include "core/render/surface_painter.hpp"
 #include "core/render/toned_program.hpp"
@@ -35,22 +36,6 @@ constexpr size_t kFramesInFlight = 3;
 
 void setSwitch(GLenum capability, bool on) {
     (on ? glEnable : glDisable)(capability);
-}
-
-Solid sourceSolid(const SourceView& source, const glm::mat4& modelToWorld) {
-    Solid solid;
-    const glm::mat4 place = glm::translate(glm::mat4(1.0f), source.position);
-    solid.toWorld = modelToWorld * glm::scale(place, glm::vec3(source.size));
-    solid.gloss = 0.25f;
-    solid.colour = {0.02f, 0.06f, 0.75f};
-    if (source.on && source.cold) {
-        solid.colour = {0.45f, 0.80f, 0.90f};
-        solid.glow = {0.10f, 0.30f, 0.36f};
-    } else if (source.on) {
-        solid.colour = {0.80f, 0.02f, 0.01f};
-        solid.glow = {0.35f, 0.01f, 0.0f};
-    }
-    return solid;
 }
 
 } // namespace
@@ -83,6 +68,7 @@ struct Renderer::Parts {
     SolidPainter solids;
     SectionPainter section;
     StrokePainter strokes;
+    SourceModel source; ///< of this frame
     EffectsPainter effects;
     WorkshopPainter room;
     HiddenAreaPainter hidden;
@@ -240,9 +226,10 @@ void Renderer::Parts::drawBatch(const SceneView& scene, const LookParameters& lo
         effects.drawHaze(views, target);
     }
     if (scene.section.shown) strokes.draw(scene.section.at + scene.section.lift, views, target);
-    if (!scene.ghost.empty() || !scene.markers.empty()) {
+    if (!source.markers.empty() || !scene.ghost.empty() || !scene.markers.empty()) {
         const gl::Scope scope(profiler, "draw markers");
         glEnable(GL_CULL_FACE);
+        solids.draw(source.markers, views, target);
         solids.draw(scene.ghost, views, target);
         solids.draw(scene.markers, views, target);
         glDisable(GL_CULL_FACE);
@@ -280,8 +267,14 @@ void Renderer::Parts::gatherFittings(const SceneView& scene, std::span<const Vie
 void Renderer::Parts::gatherSolids(const SceneView& scene, const LookParameters& look, std::span<const View> views) {
     solids.begin();
     if (look.showSource && scene.source.shown) {
-        const Solid source = sourceSolid(scene.source, scene.modelToWorld);
-        solids.gather({&source, 1});
+        buildSource(source, scene.source, scene.modelToWorld);
+        solids.gather(source.solids);
+    } else {
+        source.markers.clear();
+    }
+    for (Solid mark : scene.section.shown ? std::span<const Solid>() : scene.chalk) {
+        mark.toWorld = scene.modelToWorld * mark.toWorld;
+        solids.gather({&mark, 1});
     }
     const DetailFeature shows = scene.handsTracked ? DetailFeature::room : DetailFeature::fittings;
     const bool fine = has(look, shows) && !scene.fittings.empty();

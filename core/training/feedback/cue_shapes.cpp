@@ -269,9 +269,10 @@ void CueShapes::addArcSign(const Board& board, const Cue& cue, const glm::vec3& 
         cue.opacity);
 }
 
-/// Adds dashes on the line to aim at, ahead of the pool, to the end of the wanted seam, fainter with distance.
+/// Adds dashes on the line to aim at, ahead of the pool, to the end of the wanted seam, fainter with distance; none on
+/// a weld.
 void CueShapes::addSeam(const Cue& cue, const Seam& seam, const CuePose& pose, const glm::vec3& pool,
-                        const CueEye& eye) {
+                        const CueEye& eye, const WeldedPlaces* welded) {
     const double onward = pose.direction != 0 ? pose.direction : pose.place < (pose.from + pose.to) / 2 ? 1 : -1;
     const glm::vec3 normal(seam.at(pose.place).up);
     const float width = std::clamp(kDashWidth * glm::distance(eye.position, pool), kThinnest, kThickest);
@@ -291,6 +292,7 @@ void CueShapes::addSeam(const Cue& cue, const Seam& seam, const CuePose& pose, c
     for (int i = 0; i < kDashes; ++i) {
         const double from = pose.place + onward * (kDashStart + i * kDashPeriod), to = from + onward * kDashLength;
         if (!seam.closed() && (std::max(from, to) > pose.to || std::min(from, to) < pose.from)) continue;
+        if (welded != nullptr && welded->any(from, to)) continue;
         const SeamFrame near = seam.at(from), far = seam.at(to);
         const glm::vec3 a(near.point + pose.line * near.across + kDashLift * near.up);
         const glm::vec3 b(far.point + pose.line * far.across + kDashLift * far.up);
@@ -302,13 +304,14 @@ void CueShapes::addSeam(const Cue& cue, const Seam& seam, const CuePose& pose, c
 }
 
 std::span<const Marker> CueShapes::build(const CueList& cues, const Seam& seam, const CuePose& pose, const CueEye& eye,
-                                         std::span<const WorkpieceBlock> blocks, const glm::mat4& toWorld) {
+                                         std::span<const WorkpieceBlock> blocks, const glm::mat4& toWorld,
+                                         const WeldedPlaces* welded) {
     markers_.clear();
     toWorld_ = toWorld;
     if (cues.empty()) return markers_;
     const SeamFrame frame = seam.at(pose.place);
     const glm::vec3 pool(frame.point + frame.across * pose.aim);
-    if (const Cue* cue = cues.find(CueKind::seam)) addSeam(*cue, seam, pose, pool, eye);
+    if (const Cue* cue = cues.find(CueKind::seam)) addSeam(*cue, seam, pose, pool, eye, welded);
     const Board board = boardFor(pose, frame, pool, eye, blocks);
     const glm::vec3 away = board.shown(-pose.axis, board.up);
     const glm::vec3 ahead = board.shown(glm::vec3(frame.tangent) * (pose.direction < 0 ? -1.0F : 1.0F), board.right);

@@ -5,6 +5,7 @@
 #include "core/render/solids.hpp"
 #include "core/training/feedback/cues.hpp"
 #include "core/training/judging/seam.hpp"
+#include "core/training/judging/welded_places.hpp"
 #include "core/weld/workpiece/workpiece.hpp"
 
 #include <glm/mat4x4.hpp>
@@ -61,9 +62,10 @@ class CueShapes {
     CueShapes();
 
     /// Builds the markers in the world, from the workpiece's frame by `toWorld`; valid until the next call. Allocates
-    /// nothing after the first. `blocks`: blocks of the workpiece.
+    /// nothing after the first. `blocks`: blocks of the workpiece. `welded`: places without dashes; may be null.
     std::span<const Marker> build(const CueList& cues, const Seam& seam, const CuePose& pose, const CueEye& eye,
-                                  std::span<const WorkpieceBlock> blocks, const glm::mat4& toWorld);
+                                  std::span<const WorkpieceBlock> blocks, const glm::mat4& toWorld,
+                                  const WeldedPlaces* welded = nullptr);
 
   private:
     /// A plane that faces the eye. Its fields are squares of edge `cell`, counted outwards and upwards.
@@ -96,7 +98,8 @@ class CueShapes {
     void addBar(const Board& board, const Cue& cue, const glm::vec3& middle, const glm::vec3& along);
     void addAngles(const Board& board, const CueList& cues, const SeamFrame& frame, int direction);
     void addArcSign(const Board& board, const Cue& cue, const glm::vec3& away);
-    void addSeam(const Cue& cue, const Seam& seam, const CuePose& pose, const glm::vec3& pool, const CueEye& eye);
+    void addSeam(const Cue& cue, const Seam& seam, const CuePose& pose, const glm::vec3& pool, const CueEye& eye,
+                 const WeldedPlaces* welded);
     void add(SolidShape shape, const glm::mat4& place, const glm::vec3& colour, double opacity);
 
     std::vector<Marker> markers_;
