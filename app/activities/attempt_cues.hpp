@@ -73,6 +73,13 @@ class AttemptCues {
     /// Cues of the last step for this eye, in the scene's world; valid until the next call.
     std::span<const Marker> markers(const Trainer& trainer, const SceneView& scene, const View& eye);
 
+    /// Number of the last of those markers that are the board beside the torch.
+    size_t boardMarkers() const { return shapes_.boardMarkers(); }
+    /// Fields of that board.
+    std::span<const CueLabel> labels() const { return shapes_.labels(); }
+    /// True if the person has made no progress with a kind yet: its field needs a name.
+    bool isNew(CueKind kind) const { return before_.strength(kind) >= 1; }
+
   private:
     CueSet switchedOn() const;
     CueSkill shownSkill() const { return showsFaded_ ? CueSkill() : before_; }

@@ -74,6 +74,7 @@ MenuRequest DesktopMenus::drawPanels(const DesktopMenuContent& content) {
     if (activities.at(activities.replay))
         if (const MenuRequest asked = ui::replayBar(context, content.session); asked != MenuRequest::none)
             request = asked;
+    ui::cueNames(context, content.session.picture().namedCues());
     ui::temperatureScale(context, lesson.look.colours, content.session.run().scene()->view().temperature,
                          coveredLeft());
     panels.result = panels.result && content.session.judges();

@@ -9,6 +9,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/vector_relational.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace meltpool {
@@ -32,6 +34,7 @@ LookParameters LessonPicture::look() const {
 
 void LessonPicture::beginFrame(double seconds, bool live) {
     sinceSeen_ += seconds;
+    namedCues_.clear();
     if (!live) return;
     const SurfaceParameters& surface = source_.lesson.surface;
     Lesson& running = trainer()->lesson();
@@ -127,7 +130,25 @@ DeskPicture LessonPicture::atDesk(const Controls& controls, float aspect, float 
     lookThroughTable(scene, view);
     scene.ghost = ghostMarkers(scene, view);
     scene.markers = cueMarkers(scene, view);
+    if (!scene.markers.empty()) scene.boardMarkers = source_.activities.attempt.cues().boardMarkers();
+    nameCues(scene, view);
     return picture;
+}
+
+void LessonPicture::nameCues(const SceneView& scene, const View& view) {
+    namedCues_.clear();
+    if (scene.markers.empty()) return;
+    const AttemptCues& cues = source_.activities.attempt.cues();
+    for (const CueLabel& label : cues.labels()) {
+        if (!cues.isNew(label.kind)) continue;
+        const auto inWindow = [&](const glm::vec3& world) {
+            const glm::vec4 clip = view.eyeToClip * view.worldToEye * glm::vec4(world, 1);
+            return glm::vec2(clip.x, -clip.y) / std::max(clip.w, 1e-6f) * 0.5f + 0.5f;
+        };
+        const glm::vec2 place = inWindow(label.place);
+        const float width = 2 * std::abs(inWindow(label.end).x - place.x);
+        namedCues_.push_back({label.kind, place, width, label.above, static_cast<float>(label.opacity)});
+    }
 }
 
 void LessonPicture::draw(const DeskPicture& picture, const RenderTarget& target, gl::Profiler* profiler) {

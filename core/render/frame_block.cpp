@@ -68,8 +68,8 @@ void addRolledFaces(FrameData& frame, const RolledFaces& rolled) {
 
 /// Adds the place on the metal that the source heats, faintly before it does, and its burner's shadow.
 void addSource(FrameData& frame, const SceneView& scene, bool shown) {
-    constexpr glm::vec3 kWarm(0.60f, 0.20f, 0.04f), kCold(0.10f, 0.30f, 0.45f);
-    constexpr float kOff = 0.35f, kShadow = 0.75f;
+    constexpr glm::vec3 kWarm(0.34f, 0.12f, 0.03f), kCold(0.06f, 0.20f, 0.30f);
+    constexpr float kOff = 0.5f, kShadow = 0.75f;
     frame.sourceReach = 1;
     if (!shown || !scene.source.shown) return;
     frame.source = scene.modelToWorld * glm::vec4(scene.source.position, 1);

@@ -393,4 +393,18 @@ void Renderer::draw(const SceneView& scene, const LookParameters& look, std::spa
     glDisable(GL_FRAMEBUFFER_SRGB);
 }
 
+void Renderer::drawOver(std::span<const Marker> markers, const RenderTarget& target) {
+    if (markers.empty()) return;
+    const ViewBatch first;
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
+    setSwitch(GL_FRAMEBUFFER_SRGB, target.encodesSrgb);
+    aim(first, target.viewport, 1);
+    glEnable(GL_CULL_FACE);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    parts_->solids.draw(markers, first, target);
+    for (const GLenum capability : {GL_CULL_FACE, GL_BLEND, GL_SCISSOR_TEST, GL_FRAMEBUFFER_SRGB})
+        glDisable(capability);
+}
+
 } // namespace meltpool

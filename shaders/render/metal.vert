@@ -39,7 +39,8 @@ void main() {
     float light = frame.ambient + frame.diffuse * max(dot(n, normalize(frame.lamp - world)), 0.0);
     light *= lightPastSource(toSource, n);
     float mirror = mix(material.solidMirror, material.liquidMirror, share.mirror);
-    body = light * (1.0 - mirror) * materialColour(share.colour) + heatAt(toSource) * frame.sourceLight;
+    body = light * (1.0 - mirror) * materialColour(share.colour);
+    body += (1.0 - share.mirror) * heatAt(toSource) * frame.sourceLight; // on liquid metal it would look like a glow
     mirrorBrightness = light * mirror;
     dullness = frame.dullness * (1.0 - share.mirror);
     showCut(world);

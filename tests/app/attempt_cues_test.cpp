@@ -146,6 +146,26 @@ TEST_CASE("hidden cues are told before the arc at the desk, until they are shown
     CHECK(told().find("Hidden") == std::string::npos);
 }
 
+TEST_CASE("a cue's field on the board has its name until the person has made progress with it", "[app]") {
+    Welder welder;
+    const auto named = [&] {
+        welder.lead(0.1, 0);
+        welder.session.picture().atDesk(welder.controls, 1.5F, 0, false, nullptr);
+        CueSet names;
+        for (const NamedCue& cue : welder.session.picture().namedCues()) {
+            names.set(cue.kind);
+            CHECK(cue.width > 0);
+        }
+        return names.names();
+    };
+    CHECK(named() == "speed angles distance aim");
+    CueSkill skill;
+    skill.setGood(TechniqueQuantity::aim, 1);
+    skill.setGood(TechniqueQuantity::workAngle, 1); // the travel angle is new
+    welder.session.attempt().cues().setSkill(skill);
+    CHECK(named() == "speed angles distance");
+}
+
 TEST_CASE("a lesson shows the cues that it allows and can measure, and menus only those", "[app]") {
     Lesson lesson = test::smallBead();
     lesson.cues = {};

@@ -381,3 +381,29 @@ TEST_CASE("a marker lets as much through as its opacity says", "[training]") {
     CHECK(middle(0.4F) > middle(0) + 30);
     CHECK(middle(0.4F) < middle(1) - 30);
 }
+
+TEST_CASE("markers drawn over a picture are where its own would be, in a target of another size too", "[training]") {
+    const PictureTarget small(32, 32), large(64, 64);
+    Renderer renderer(test::shaders());
+    LookParameters look;
+    look.showBox = look.showSource = look.showSky = false;
+    const View view = viewOf({0, 0, 3}, {0, 0, 0}, 1);
+    Marker marker;
+    marker.toWorld = glm::translate(glm::mat4(1), glm::vec3(0.5F, 0, 0));
+    marker.colour = {1, 0, 0};
+    SceneView scene;
+    scene.markers = {&marker, 1};
+    const auto redAt = [](const PictureTarget& target, int x, int y) {
+        const Image image = target.read();
+        return int(image.rgb[static_cast<size_t>(y * image.width + x) * 3]);
+    };
+    renderer.draw(scene, look, {&view, 1}, large.target(), nullptr);
+    CHECK(redAt(large, 44, 32) > 200);
+    scene.markers = {};
+    renderer.draw(scene, look, {&view, 1}, large.target(), nullptr);
+    CHECK(redAt(large, 44, 32) < 60);
+    renderer.draw(scene, look, {&view, 1}, small.target(), nullptr);
+    renderer.drawOver({&marker, 1}, large.target());
+    CHECK(redAt(large, 44, 32) > 200);
+    CHECK(redAt(large, 20, 32) < 60);
+}
