@@ -28,8 +28,8 @@ struct CataloguedLesson {
 
 /// Lessons of the folders, group by group: in each those of one process after another, from wire and gas to the flame
 /// on the classic metal; of a process the easiest first, those without a level last; of a level a lesson before its
-/// next one, else by name. Faulty lessons come last. `faults` gets a sentence for each folder that cannot be read. Throws InputError when the
-/// shipped lessons cannot be read.
+/// next one, else by name. Faulty lessons come last. `faults` gets a sentence for each folder that cannot be read.
+/// Throws InputError when the shipped lessons cannot be read.
 std::vector<CataloguedLesson> readCatalogue(const LessonFolders& folders, std::vector<std::string>& faults);
 
 /// Fault for a list: without the lesson's own folder.

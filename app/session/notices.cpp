@@ -82,8 +82,7 @@ std::string_view HiddenCuesNotice::update(const AttemptCues& cues) {
     if (hidden == told_) return sentence_;
     std::string names;
     for (const CueKind kind : kCueKinds)
-        if (hidden.has(kind))
-            names += (names.empty() ? "" : ", ") + phraseOf("notice.cues", cueName(kind));
+        if (hidden.has(kind)) names += (names.empty() ? "" : ", ") + phraseOf("notice.cues", cueName(kind));
     sentence_ = phrase("notice.cues.hidden", {{"cues", names}});
     told_ = hidden;
     return sentence_;
@@ -118,8 +117,7 @@ void Notices::update(LessonSession& session, LessonFigures& figures, const Trigg
     else
         messages.hold(slow_.sentence(), kSlowTopic);
     const bool atDesk = session.leader() == TorchLeader::desk && !session.run().arc().burns();
-    const std::string_view hidden =
-        atDesk ? hiddenCues_.update(session.attempt().cues()) : std::string_view();
+    const std::string_view hidden = atDesk ? hiddenCues_.update(session.attempt().cues()) : std::string_view();
     if (hidden.empty())
         messages.clear("cues");
     else

@@ -69,9 +69,9 @@ class HiddenCuesNotice {
 
 class Notices {
   public:
-    /// Holds or clears the messages "arc", "cues", "ghost", "visor" and kSlowTopic, and sets figures.slow. `lock`: of the
-    /// torch's leader. The reason of a missing arc is a cue: it appears unless cues are withheld; a locked trigger is
-    /// always shown. Allocates nothing while nothing changes.
+    /// Holds or clears the messages "arc", "cues", "ghost", "visor" and kSlowTopic, and sets figures.slow. `lock`: of
+    /// the torch's leader. The reason of a missing arc is a cue: it appears unless cues are withheld; a locked trigger
+    /// is always shown. Allocates nothing while nothing changes.
     void update(LessonSession& session, LessonFigures& figures, const TriggerLock& lock, double elapsed,
                 Messages& messages);
 

@@ -29,7 +29,8 @@ class Builder {
                const glm::vec3& glow = glm::vec3(0)) {
         model_.solids.push_back({shape, placed(from, to, width), colour, gloss, glow});
     }
-    void marker(SolidShape shape, float from, float to, float width, const glm::vec3& colour, float opacity, float face) {
+    void marker(SolidShape shape, float from, float to, float width, const glm::vec3& colour, float opacity,
+                float face) {
         model_.markers.push_back({shape, placed(from, to, width), colour, opacity, face});
     }
 
@@ -58,7 +59,8 @@ void buildSource(SourceModel& model, const SourceView& source, const glm::mat4& 
     const float line = kFloor - source.position.y;
     if (line < 0) add.marker(SolidShape::cylinder, 0, line, 0.006f, kLine, 0.4f, 1);
     if (!source.on) return;
-    add.marker(SolidShape::cone, mouth, kOuterEnd * reach, 1.25f * width, source.cold ? kColdPlume : kOuter, 0.28f, 0.5f);
+    add.marker(SolidShape::cone, mouth, kOuterEnd * reach, 1.25f * width, source.cold ? kColdPlume : kOuter, 0.28f,
+               0.5f);
     add.marker(SolidShape::cone, mouth, kPlumeEnd * reach, width, source.cold ? kColdPlume : kPlume, 0.5f, 0.6f);
 }
 

@@ -12,8 +12,8 @@ struct SourceModel {
     std::vector<Marker> markers; ///< the flame's outer cones, which let the metal through, and the line
 };
 
-/// Fills `model` with burner and flame in the world; the flame is as long as the source's heat reaches. A source that is
-/// off has its pilot flame only.
+/// Fills `model` with burner and flame in the world; the flame is as long as the source's heat reaches. A source that
+/// is off has its pilot flame only.
 void buildSource(SourceModel& model, const SourceView& source, const glm::mat4& modelToWorld);
 
 } // namespace meltpool

@@ -46,7 +46,8 @@ ChalkLine::ChalkLine(const ChalkEnds& ends) {
         const glm::vec3 end = ends.from + along * at;
         add(strokeAt(end, across, ends.up, kCovered, kWidth), at, at);
         for (const float side : {-1.0F, 1.0F})
-            add(strokeAt(end + across * (side * (kCovered + kOuter) / 2), across, ends.up, kOuter, kWidth), at, at, true);
+            add(strokeAt(end + across * (side * (kCovered + kOuter) / 2), across, ends.up, kOuter, kWidth), at, at,
+                true);
     }
     shown_.reserve(strokes_.size());
     wipe([](double, double) { return false; });

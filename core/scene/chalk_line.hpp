@@ -1,5 +1,5 @@
-// A soapstone line on a plate: where to weld, with a mark across it at either end. It is on the piece, as a welder draws
-// it, and no cue.
+// A soapstone line on a plate: where to weld, with a mark across it at either end. It is on the piece, as a welder
+// draws it, and no cue.
 #pragma once
 
 #include "core/base/function_ref.hpp"

@@ -276,8 +276,8 @@ void CueShapes::addArcSign(const Board& board, const Cue& cue, const glm::vec3& 
 
 /// Adds dashes on the line to aim at, ahead of the pool, to the end of the wanted seam, fainter with distance; none on
 /// a weld.
-void CueShapes::addSeam(const Cue& cue, const Seam& seam, const CuePose& pose, const glm::vec3& pool,
-                        const CueEye& eye, const WeldedPlaces* welded) {
+void CueShapes::addSeam(const Cue& cue, const Seam& seam, const CuePose& pose, const glm::vec3& pool, const CueEye& eye,
+                        const WeldedPlaces* welded) {
     const double onward = pose.direction != 0 ? pose.direction : pose.place < (pose.from + pose.to) / 2 ? 1 : -1;
     const glm::vec3 normal(seam.at(pose.place).up);
     const float width = std::clamp(kDashWidth * glm::distance(eye.position, pool), kThinnest, kThickest);

@@ -44,7 +44,8 @@ TEST_CASE("the shipped lessons are listed by process, the easiest of each first,
         order += lesson.key + " ";
         if (!lesson.next.empty()) CHECK(home.find(lesson.next) != nullptr);
     }
-    CHECK(order.starts_with("gmaw-bead tee-fillet tee-thin lap-2f corner-1f butt-1g tee-3f smaw-bead smaw-tee gtaw-bead "));
+    CHECK(order.starts_with(
+        "gmaw-bead tee-fillet tee-thin lap-2f corner-1f butt-1g tee-3f smaw-bead smaw-tee gtaw-bead "));
     CHECK(home.chosen().key == "gmaw-bead");
     CHECK(home.find(readLesson(shippedLessons() / "gmaw-bead.toml")) == home.find("gmaw-bead"));
     CHECK(home.find("knitting") == nullptr);
@@ -67,11 +68,9 @@ TEST_CASE("a lesson at fault is listed with its sentence, after those that can b
 }
 
 TEST_CASE("lessons of a level are listed before the ones that follow them, also if they go round") {
-    const fs::path folder = lessonsWith("home-next", {{"a", "next = 'c'\n"},
-                                                      {"b", "next = 'a'\n"},
-                                                      {"c", ""},
-                                                      {"x", "next = 'y'\n"},
-                                                      {"y", "next = 'x'\n"}});
+    const fs::path folder = lessonsWith(
+        "home-next",
+        {{"a", "next = 'c'\n"}, {"b", "next = 'a'\n"}, {"c", ""}, {"x", "next = 'y'\n"}, {"y", "next = 'x'\n"}});
     const Home home(folder, folder / "best-scores.toml");
     std::string order;
     for (const CataloguedLesson& lesson : home.lessons())
