@@ -294,7 +294,8 @@ void DesktopApp::preparePicture(double seconds) {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     if (headset_.inFrame() && headset_.inFrame()->mirror(pixels, shaders_)) return;
     const CoveredEdges covered = menus_.covered();
-    session_.frameCamera(controls_, covered, static_cast<float>(pixels.x) / static_cast<float>(std::max(pixels.y, 1)));
+    session_.picture().frameCamera(controls_, covered,
+                                   static_cast<float>(pixels.x) / static_cast<float>(std::max(pixels.y, 1)));
     picture_.prepare(
         session_, controls_,
         {pixels, covered.shift(), seconds, sections_.window.picture, screenshots_.windowAsked(), steps_.due()},

@@ -46,7 +46,7 @@ void WindowPicture::draw(LessonSession& session, gl::Profiler* profiler) {
     const RenderTarget target = scaled_.begin(pixels_, share);
     // Figures on the cues' board are too small for fewer pixels.
     const std::span<const Marker> all = shown_.scene.markers;
-    const std::span<const Marker> board = all.last(share < 1 ? shown_.scene.boardMarkers : 0);
+    const std::span<const Marker> board = all.last(share < 1 ? shown_.boardMarkers : 0);
     shown_.scene.markers = all.first(all.size() - board.size());
     session.picture().draw(shown_, target, profiler);
     shown_.scene.markers = all;

@@ -16,8 +16,19 @@ namespace {
 /// Place of a lesson's process in the list: most trainees begin with wire and gas.
 int processRank(const Lesson& lesson) {
     if (lesson.model != LessonModel::Weld) return 5;
-    const ProcessSettings& process = lesson.process;
-    return process.is<Gmaw>() ? 0 : process.is<Smaw>() ? 1 : process.is<Gtaw>() ? 2 : process.is<Flame>() ? 4 : 3;
+    switch (traitsOf(lesson.process).torch) {
+    case TorchShape::wireTorch:
+        return 0;
+    case TorchShape::electrodeHolder:
+        return 1;
+    case TorchShape::tungstenTorch:
+        return 2;
+    case TorchShape::iron:
+        return 3;
+    case TorchShape::burner:
+        return 4;
+    }
+    return kNoProcess;
 }
 
 /// Number of each lesson in the chains of next ones: a lesson's is smaller than its next one's, unless they go round.

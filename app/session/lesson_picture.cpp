@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_access.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <glm/trigonometric.hpp>
 #include <glm/vector_relational.hpp>
 
 #include <algorithm>
@@ -43,6 +44,15 @@ void LessonPicture::beginFrame(double seconds, bool live) {
     running.surface = surface;
     running.look.detail = detail_;
     shownSurface_ = surface;
+}
+
+void LessonPicture::placeCamera(Controls& controls) {
+    controls.lens.fieldOfView = glm::radians(source_.lesson.camera.fieldOfView);
+    startCamera_.begin(controls, source_.lesson, source_.lead.desk());
+}
+
+void LessonPicture::frameCamera(Controls& controls, const CoveredEdges& covered, float aspect) {
+    if (!source_.run.arc().burns()) startCamera_.frame(controls, covered, aspect);
 }
 
 SceneView LessonPicture::scene(gl::Profiler* profiler) {
@@ -110,7 +120,7 @@ DeskPicture LessonPicture::atDesk(const Controls& controls, float aspect, float 
                                   gl::Profiler* profiler) {
     noteSurface();
     if (shown() != nullptr && !surfaceLater) shown()->makeSurface(profiler);
-    DeskPicture picture{sceneOfMetal(), controls.view(aspect)};
+    DeskPicture picture{sceneOfMetal(), controls.view(aspect), 0};
     SceneView& scene = picture.scene;
     View& view = picture.view;
     if (leader() == TorchLeader::desk) {
@@ -130,7 +140,7 @@ DeskPicture LessonPicture::atDesk(const Controls& controls, float aspect, float 
     lookThroughTable(scene, view);
     scene.ghost = ghostMarkers(scene, view);
     scene.markers = cueMarkers(scene, view);
-    if (!scene.markers.empty()) scene.boardMarkers = source_.activities.attempt.cues().boardMarkers();
+    if (!scene.markers.empty()) picture.boardMarkers = source_.activities.attempt.cues().boardMarkers();
     nameCues(scene, view);
     return picture;
 }

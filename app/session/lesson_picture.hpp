@@ -4,6 +4,7 @@
 #include "app/session/controls.hpp"
 #include "app/session/cut_view.hpp"
 #include "app/session/lesson_run.hpp"
+#include "app/session/start_camera.hpp"
 #include "app/session/torch_lead.hpp"
 #include "core/render/effects/worn_visor.hpp"
 #include "core/render/renderer.hpp"
@@ -19,6 +20,7 @@ namespace meltpool {
 struct DeskPicture {
     SceneView scene;
     View view;
+    size_t boardMarkers = 0; ///< number of the scene's last markers that are a board beside the work, not on it
 };
 
 /// Name of a cue's field in the window.
@@ -54,6 +56,12 @@ class LessonPicture {
     /// Begins a frame, `seconds` of real time after the last. Applies the lesson's look and surface to the metal if
     /// `live`.
     void beginFrame(double seconds, bool live);
+
+    /// Places the desk's camera as the lesson says.
+    void placeCamera(Controls& controls);
+    /// Keeps torch and seam in the uncovered part of a picture of this width over height, from the lesson's start until
+    /// the person moves the camera; not while the arc burns.
+    void frameCamera(Controls& controls, const CoveredEdges& covered, float aspect);
 
     /// Scene with the current surface.
     SceneView scene(gl::Profiler* profiler);
@@ -112,6 +120,7 @@ class LessonPicture {
     WornVisor visor_;
     double sinceSeen_ = 0; ///< s of real time since the last picture
     std::vector<NamedCue> namedCues_;
+    StartCamera startCamera_;
     CutView cut_;
     OrbitCamera cameraBeforeCut_;
     Mode modeBeforeCut_ = Mode::interact;

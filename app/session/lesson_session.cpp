@@ -4,8 +4,6 @@
 #include "core/base/words.hpp"
 #include "core/training/lesson/lesson_folders.hpp"
 
-#include <glm/trigonometric.hpp>
-
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -50,12 +48,7 @@ void LessonSession::prepare(Controls& controls) {
     controls.source().setCold(lesson().source.kind == 1);
     lead_.begin(lesson());
     controls.leadTorch(lead_.desk().leads());
-    controls.lens.fieldOfView = glm::radians(lesson().camera.fieldOfView);
-    camera_.begin(controls, lesson(), lead_.desk());
-}
-
-void LessonSession::frameCamera(Controls& controls, const CoveredEdges& covered, float aspect) {
-    if (running() && !run_.arc().burns()) camera_.frame(controls, covered, aspect);
+    picture_.placeCamera(controls);
 }
 
 void LessonSession::begin(Controls& controls) {

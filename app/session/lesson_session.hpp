@@ -8,7 +8,6 @@
 #include "app/session/lesson_run.hpp"
 #include "app/session/lesson_sound.hpp"
 #include "app/session/lesson_values.hpp"
-#include "app/session/start_camera.hpp"
 #include "app/session/torch_lead.hpp"
 
 #include <string>
@@ -55,9 +54,6 @@ class LessonSession {
     void reset(Controls& controls);
     /// Ends the lesson and frees the metal. `reason` is written to the attempt's record.
     void end(std::string_view reason) noexcept;
-    /// Keeps torch and seam in the uncovered part of a picture of this width over height, from the lesson's start until
-    /// the person moves the camera; not while the arc burns.
-    void frameCamera(Controls& controls, const CoveredEdges& covered, float aspect);
     /// True while the person is in the lesson: their activity goes on over its metal.
     bool running() const { return activities_.current().inLesson(); }
 
@@ -137,7 +133,6 @@ class LessonSession {
     Activities activities_;
     LessonRun run_;
     TorchLead lead_;
-    StartCamera camera_;
     LessonPicture picture_;
     LessonSound sound_;
     HelpSections help_;

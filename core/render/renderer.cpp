@@ -52,6 +52,8 @@ struct Renderer::Parts {
                    const RenderTarget& target, gl::Profiler* profiler);
     void gatherSolids(const SceneView& scene, const LookParameters& look, std::span<const View> views);
     void gatherFittings(const SceneView& scene, std::span<const View> views);
+    void drawMarkers(const SceneView& scene, const ViewBatch& views, const RenderTarget& target,
+                     gl::Profiler* profiler) const;
     void drawPoints(const ParticleView& particles, const ViewBatch& views, const RenderTarget& target) const;
     void drawSky(const ViewBatch& views, const RenderTarget& target) const;
     void keepSky(const LookParameters& look, std::span<const View> views, const RenderTarget& target);
@@ -226,14 +228,7 @@ void Renderer::Parts::drawBatch(const SceneView& scene, const LookParameters& lo
         effects.drawHaze(views, target);
     }
     if (scene.section.shown) strokes.draw(scene.section.at + scene.section.lift, views, target);
-    if (!source.markers.empty() || !scene.ghost.empty() || !scene.markers.empty()) {
-        const gl::Scope scope(profiler, "draw markers");
-        glEnable(GL_CULL_FACE);
-        solids.draw(source.markers, views, target);
-        solids.draw(scene.ghost, views, target);
-        solids.draw(scene.markers, views, target);
-        glDisable(GL_CULL_FACE);
-    }
+    drawMarkers(scene, views, target, profiler);
     if (scene.arc.intensity.g > 0 && has(look, DetailFeature::glare)) {
         const gl::Scope scope(profiler, "draw glare");
         drawGlare(views, target);
@@ -243,6 +238,17 @@ void Renderer::Parts::drawBatch(const SceneView& scene, const LookParameters& lo
     glDisable(GL_BLEND);
     glDisable(GL_CLIP_DISTANCE0);
     glDisable(GL_CLIP_DISTANCE1);
+}
+
+void Renderer::Parts::drawMarkers(const SceneView& scene, const ViewBatch& views, const RenderTarget& target,
+                                  gl::Profiler* profiler) const {
+    if (source.markers.empty() && scene.ghost.empty() && scene.markers.empty()) return;
+    const gl::Scope scope(profiler, "draw markers");
+    glEnable(GL_CULL_FACE);
+    solids.draw(source.markers, views, target);
+    solids.draw(scene.ghost, views, target);
+    solids.draw(scene.markers, views, target);
+    glDisable(GL_CULL_FACE);
 }
 
 /// A free camera goes through places that a person's head would avoid, and looks through hand and handle there. Both

@@ -83,7 +83,6 @@ struct SceneView {
     size_t holderSolids = 0;                ///< number of the last of them that hold the workpiece
     std::span<const Marker> ghost;          ///< drawn over the rest, unless something is in front of it
     std::span<const Marker> markers;        ///< drawn likewise, after the ghost
-    size_t boardMarkers = 0;                ///< number of the last of them that are signs beside the work, not on it
     size_t rodSolids = 0;                   ///< number of the last of them that are the filler rod in the other hand
 
     /// Takes torch, hands and rod out of the picture.
