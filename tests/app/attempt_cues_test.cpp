@@ -149,7 +149,7 @@ TEST_CASE("hidden cues are told before the arc at the desk, until they are shown
 TEST_CASE("a cue's field on the board has its name until the person has made progress with it", "[app]") {
     Welder welder;
     const auto named = [&] {
-        welder.lead(0.1, 0);
+        welder.lead(0.4, 1);
         welder.session.picture().atDesk(welder.controls, 1.5F, 0, false, nullptr);
         CueSet names;
         for (const NamedCue& cue : welder.session.picture().namedCues()) {
