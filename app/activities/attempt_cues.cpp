@@ -87,8 +87,11 @@ void AttemptCues::open(const Lesson& lesson) {
 
 void AttemptCues::begin() {
     before_ = skill_;
-    used_ = on_ = {};
+    used_ = on_ = faded_ = {};
+    heldByDesk_.reset();
+    showsFaded_ = false;
     pose_.reset();
+    welded_.reset();
 }
 
 CueSet AttemptCues::switchedOn() const {
@@ -107,21 +110,25 @@ void AttemptCues::update(Trainer& trainer, bool test, double elapsed) {
     CueSet on;
     for (const CueKind kind : kCueKinds) {
         wanted_.set(kind, !test && switched.has(kind) && allowed_.has(kind));
-        on.set(kind, wanted_.has(kind) && before_.strength(kind) > 0);
+        faded_.set(kind, wanted_.has(kind) && before_.strength(kind) <= 0);
+        on.set(kind, wanted_.has(kind) && (showsFaded_ || !faded_.has(kind)));
     }
     if (on != on_) trainer.event("cues", on.empty() ? "none" : on.names());
     on_ = on;
     if (trainer.technique() == nullptr || trainer.technique()->steps().empty()) return;
     if (trainer.arc().burns()) used_.add(on);
     pose_ = followedPose(pose_ ? &*pose_ : nullptr, trainer, elapsed);
+    if (!welded_) welded_.emplace(trainer.technique()->seam(), pose_->line);
+    welded_->update(*trainer.technique());
 }
 
 std::span<const Marker> AttemptCues::markers(const Trainer& trainer, const SceneView& scene, const View& eye) {
     if (!pose_ || on_.empty()) return {};
     const Technique& technique = *trainer.technique();
     const auto& bands = trainer.lesson().technique;
-    const CueList cues = liveCues(technique, trainer.arc(), bands ? &*bands : nullptr, on_, before_);
-    return shapes_.build(cues, technique.seam(), *pose_, cueEye(scene, eye), scene.blocks, scene.modelToWorld);
+    const CueList cues = liveCues(technique, trainer.arc(), bands ? &*bands : nullptr, on_, shownSkill());
+    return shapes_.build(cues, technique.seam(), *pose_, cueEye(scene, eye), scene.blocks, scene.modelToWorld,
+                         welded_ ? &*welded_ : nullptr);
 }
 
 } // namespace meltpool

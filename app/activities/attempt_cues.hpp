@@ -49,8 +49,15 @@ class AttemptCues {
 
     /// Begins an attempt.
     void begin();
+    /// Sets the quantities that the desk has held by itself in this attempt, which are no skill of the trainee.
+    void setHeldByDesk(const QuantitySet& held) { heldByDesk_ = held; }
     /// Takes the score of the attempt so far. The last judgement counts, once; cues fade from the next attempt on.
-    void practised(const TechniqueScore& score) { skill_ = before_.after(score); }
+    void practised(const TechniqueScore& score) { skill_ = before_.after(score, heldByDesk_); }
+    /// Cues that are on but have faded away.
+    CueSet faded() const { return faded_; }
+    /// Shows faded cues at full strength in this attempt, or lets them fade again.
+    void toggleFaded() { showsFaded_ = !showsFaded_; }
+    bool showsFaded() const { return showsFaded_; }
 
     /// Takes the last step of a frame. `test`: an attempt for score, which has no cues. `elapsed`: s of real time since
     /// the last call. Notes in the record which cues are on, when they change: `cues speed aim`. Allocates nothing
@@ -66,8 +73,16 @@ class AttemptCues {
     /// Cues of the last step for this eye, in the scene's world; valid until the next call.
     std::span<const Marker> markers(const Trainer& trainer, const SceneView& scene, const View& eye);
 
+    /// Number of the last of those markers that are the board beside the torch.
+    size_t boardMarkers() const { return shapes_.boardMarkers(); }
+    /// Fields of that board.
+    std::span<const CueLabel> labels() const { return shapes_.labels(); }
+    /// True if the person has made no progress with a kind yet: its field needs a name.
+    bool isNew(CueKind kind) const { return before_.strength(kind) >= 1; }
+
   private:
     CueSet switchedOn() const;
+    CueSkill shownSkill() const { return showsFaded_ ? CueSkill() : before_; }
 
     std::vector<std::string_view> idle_;
     CueSet allowed_ = CueSet::all(); ///< cues that the lesson allows
@@ -76,7 +91,11 @@ class AttemptCues {
     CueSet used_;
     CueSkill skill_;
     CueSkill before_;             ///< skill before this attempt
+    QuantitySet heldByDesk_;      ///< in this attempt
+    CueSet faded_;                ///< cues of wanted_ that the skill has taken away
+    bool showsFaded_ = false;
     std::optional<CuePose> pose_; ///< pose that follows the torch a little late, see followedPose()
+    std::optional<WeldedPlaces> welded_;
     CueShapes shapes_;
 };
 

@@ -41,6 +41,7 @@ std::span<const DesktopAction> desktopActions() {
          [](App& app) { app.lessons_.writePage(app.driver_, app.clock_.now()); }},
         {"pause", Request::pause, {}, always, [](App& app) { app.togglePause(); }},
         {"redo", Request::redo, Key::backspace, always, [](App& app) { app.session_.redo(app.controls_); }},
+        {"hidden cues", Request::none, Key::k, always, [](App& app) { app.session_.attempt().cues().toggleFaded(); }},
         {"cut", Request::cut, Key::x, always, [](App& app) { app.cut(); }},
         {"next person", Request::none, Key::n, mayAskName, [](App& app) { app.home_.who.ask(); }},
         {"person", Request::welder, {}, always, [](App& app) { app.welders_.enter(app.clock_.now()); }},

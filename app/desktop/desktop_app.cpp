@@ -313,9 +313,12 @@ void DesktopApp::preparePicture(double seconds) {
     const glm::ivec2 pixels = window_.pixels();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     if (headset_.inFrame() && headset_.inFrame()->mirror(pixels, shaders_)) return;
+    const CoveredEdges covered = menus_.covered();
+    session_.picture().frameCamera(controls_, covered,
+                                   static_cast<float>(pixels.x) / static_cast<float>(std::max(pixels.y, 1)));
     picture_.prepare(
         session_, controls_,
-        {pixels, menus_.middleOfPicture(), seconds, sections_.window.picture, screenshots_.windowAsked(), steps_.due()},
+        {pixels, covered.shift(), seconds, sections_.window.picture, screenshots_.windowAsked(), steps_.due()},
         &profiler_);
     figures_.picture = picture_.sentence();
 }

@@ -24,11 +24,12 @@ void DesktopLessons::leave() {
 }
 
 void DesktopLessons::goHome() {
+    home_.attempts.hide();
+    session_.activities().endComparison();
     if (home_.open) return;
     leave();
     home_.refresh();
     home_.choose(session_.lesson().key);
-    if (home_.attempts.shown()) home_.attempts.show(); // the list may have grown
     home_.open = true;
 }
 

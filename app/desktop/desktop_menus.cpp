@@ -1,11 +1,16 @@
 #include "app/desktop/desktop_menus.hpp"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <utility>
 
 namespace meltpool {
 
 namespace {
+
+/// Share of the window; wider panels leave no room for the metal.
+constexpr float kMostCovered = 0.7f;
 
 ui::KeySituation keysOf(const DesktopMenuContent& content) {
     return ui::keySituation(content.controls, content.session, content.home.open, content.headset);
@@ -23,11 +28,13 @@ float DesktopMenus::coveredRight() {
     return panels.simulation && !panels.hidden && !machineWaits_ ? ui::panelReach(interface_.context()) : 0;
 }
 
-float DesktopMenus::middleOfPicture() {
-    const auto width = static_cast<float>(std::max(window_.size().x, 1));
-    const float left = coveredLeft(), right = coveredRight();
-    if (left + right > 0.7f * width) return 0; // such wide panels leave no room for the metal
-    return (left - right) / width;
+CoveredEdges DesktopMenus::covered() {
+    const glm::vec2 size = glm::max(window_.size(), glm::ivec2(1));
+    const float bar = panels.hidden ? 0 : ui::barHeight(interface_.context()) / size.y;
+    CoveredEdges covered{coveredLeft() / size.x, coveredRight() / size.x, bar, bar};
+    if (covered.left + covered.right > kMostCovered) covered.left = covered.right = 0;
+    if (2 * bar > kMostCovered) covered.bottom = covered.top = 0;
+    return covered;
 }
 
 MenuRequest DesktopMenus::draw(const DesktopMenuContent& content) {
@@ -49,6 +56,7 @@ MenuRequest DesktopMenus::draw(const DesktopMenuContent& content) {
     if (panels.settings) ui::settingsOverlay(context, panels.settings, content.viewSections);
     if (panels.help) ui::helpOverlay(context, panels.help, keysOf(content));
     const bool running = session.running();
+    inLesson_ = running;
     ui::messageStack(context, content.messages, running ? coveredLeft() : 0, running ? coveredRight() : 0);
     return request;
 }
@@ -68,9 +76,11 @@ MenuRequest DesktopMenus::drawPanels(const DesktopMenuContent& content) {
     if (activities.at(activities.replay))
         if (const MenuRequest asked = ui::replayBar(context, content.session); asked != MenuRequest::none)
             request = asked;
+    ui::cueNames(context, content.session.picture().namedCues());
     ui::temperatureScale(context, lesson.look.colours, content.session.run().scene()->view().temperature,
                          coveredLeft());
     panels.result = panels.result && content.session.judges();
+    if (!inLesson_ && coveredRight() > kMostCovered * static_cast<float>(window_.size().x)) panels.simulation = false;
     closeOverlapping();
     if (panels.result)
         if (const MenuRequest asked =

@@ -5,6 +5,7 @@
 #include "app/session/lesson_session.hpp"
 #include "app/session/menu_state.hpp"
 #include "app/ui/panels.hpp"
+#include "core/render/framing.hpp"
 
 #include <span>
 #include <string>
@@ -38,9 +39,8 @@ class DesktopMenus {
     /// Opens the result panel if the lesson has one.
     void showResult(const LessonSession& session);
 
-    /// Distance from the window's middle to the middle of its uncovered part, positive to the right, as a share of half
-    /// the window's width.
-    float middleOfPicture();
+    /// Edges of the window that panels and bars cover. Panels that leave no room for the metal do not count.
+    CoveredEdges covered();
 
   private:
     MenuRequest drawPanels(const DesktopMenuContent& content);
@@ -57,6 +57,7 @@ class DesktopMenus {
     bool resultIsNewer_ = false;   ///< the result opened after the panels at its place
     bool timingsAreNewer_ = false; ///< choice if both panels at the left are open in the next frame
     bool machineIsNewer_ = false;  ///< the machine panel opened after a panel at the left
+    bool inLesson_ = false;        ///< the last frame showed a running lesson
 };
 
 } // namespace meltpool

@@ -31,6 +31,7 @@ constexpr std::array<std::pair<int, Key>, static_cast<size_t>(Key::count) + 1> k
     {GLFW_KEY_F, Key::f},
     {GLFW_KEY_H, Key::h},
     {GLFW_KEY_J, Key::j},
+    {GLFW_KEY_K, Key::k},
     {GLFW_KEY_N, Key::n},
     {GLFW_KEY_Q, Key::q},
     {GLFW_KEY_R, Key::r},

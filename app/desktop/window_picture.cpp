@@ -42,9 +42,16 @@ void WindowPicture::prepare(LessonSession& session, const Controls& controls, co
 
 void WindowPicture::draw(LessonSession& session, gl::Profiler* profiler) {
     session.picture().completeSurface(shown_, profiler);
-    const RenderTarget target = scaled_.begin(pixels_, kPictureShares[static_cast<size_t>(level_)]);
+    const float share = kPictureShares[static_cast<size_t>(level_)];
+    const RenderTarget target = scaled_.begin(pixels_, share);
+    // Figures on the cues' board are too small for fewer pixels.
+    const std::span<const Marker> all = shown_.scene.markers;
+    const std::span<const Marker> board = all.last(share < 1 ? shown_.boardMarkers : 0);
+    shown_.scene.markers = all.first(all.size() - board.size());
     session.picture().draw(shown_, target, profiler);
+    shown_.scene.markers = all;
     scaled_.end();
+    session.picture().renderer().drawOver(board, {0, {0, 0, pixels_.x, pixels_.y}});
 }
 
 /// Margin, pixels; half a particle's width in the large picture is less, unless the camera is inside the metal.

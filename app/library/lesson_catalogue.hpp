@@ -9,6 +9,9 @@
 
 namespace meltpool {
 
+/// Rank of a lesson whose process is unknown.
+inline constexpr int kNoProcess = 100;
+
 struct CataloguedLesson {
     std::string key;
     std::filesystem::path file;
@@ -19,12 +22,14 @@ struct CataloguedLesson {
     std::string fault;             ///< sentence that says why the lesson cannot be used; empty: it can
     std::string next;              ///< key of the next lesson; empty: none
     int level = 0;                 ///< see Lesson::level
+    int process = kNoProcess;      ///< rank of its process in the list
     std::filesystem::path picture; ///< need not exist
 };
 
-/// Lessons of the folders, group by group: in each the easiest first, those of a level by name, those without a level
-/// and faulty ones last. `faults` gets a sentence for each folder that cannot be read. Throws InputError when the
-/// shipped lessons cannot be read.
+/// Lessons of the folders, group by group: in each those of one process after another, from wire and gas to the flame
+/// on the classic metal; of a process the easiest first, those without a level last; of a level a lesson before its
+/// next one, else by name. Faulty lessons come last. `faults` gets a sentence for each folder that cannot be read.
+/// Throws InputError when the shipped lessons cannot be read.
 std::vector<CataloguedLesson> readCatalogue(const LessonFolders& folders, std::vector<std::string>& faults);
 
 /// Fault for a list: without the lesson's own folder.

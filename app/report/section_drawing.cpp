@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kInch = 25.4;   // mm
 constexpr double kLargest = 16;  ///< units per millimetre
-constexpr double kPicture = 200; ///< units of the width; the rest is for words
+constexpr double kPicture = 176; ///< units of the width; the rest is for words
 constexpr double kEdge = 8;      ///< units free around it
 constexpr double kPlate = 4;     ///< mm of plate if its thickness is not known
 constexpr double kBeside = 0.3;  ///< share of the weld's width: plate on each side of it

@@ -75,7 +75,7 @@ void Controls::look(const InputFrame& input, float seconds) {
 void Controls::setMode(Mode mode) {
     if (mode == mode_) return;
     // The free camera starts where the orbiting one is, so that the picture does not jump.
-    if (mode == Mode::view) free_ = FreeCamera(orbit_.position(), glm::vec3(0));
+    if (mode == Mode::view) free_ = FreeCamera(orbit_.position(), orbit_.target());
     mode_ = mode;
     putOut(ArcOut::paused);
 }

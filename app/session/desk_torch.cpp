@@ -100,6 +100,7 @@ void DeskTorch::begin(const Lesson& lesson) {
     left_ = time_ = 0;
     keyPace_ = {};
     guided_ = false;
+    led_.reset();
 }
 
 void DeskTorch::take(const ProcessSettings& process) {
@@ -185,6 +186,25 @@ double DeskTorch::wayLeft() const {
     return std::max(seam_->end() + kBeyond - wanted_.place - left_, 0.0);
 }
 
+/// Notes which quantities the hand leads on the way to `target`.
+void DeskTorch::noteLed(const DeskPose& target) {
+    const auto note = [this](TechniqueQuantity quantity, double from, double to) {
+        constexpr double kLeast = 1e-7; // m, or rad
+        if (std::abs(to - from) > kLeast) led_.set(static_cast<size_t>(quantity));
+    };
+    note(TechniqueQuantity::travelSpeed, held_.place, target.place);
+    note(TechniqueQuantity::aim, held_.aim, target.aim);
+    note(TechniqueQuantity::distance, held_.distance, target.distance);
+    note(TechniqueQuantity::workAngle, held_.work, target.work);
+    note(TechniqueQuantity::travelAngle, held_.travel, target.travel);
+}
+
+QuantitySet DeskTorch::held() const {
+    QuantitySet held = ~led_;
+    if (guided_) held.set(static_cast<size_t>(TechniqueQuantity::travelSpeed));
+    return held;
+}
+
 TorchSample DeskTorch::next(int step, int due, double seconds, float burntOff, float trigger) {
     if (trigger > 0) { // guide and tremor go on by themselves; only the hand's own way is divided among the steps
         guided_ = guided_ || guide_ > 0;
@@ -196,6 +216,7 @@ TorchSample DeskTorch::next(int step, int due, double seconds, float burntOff, f
     const double share = 1.0 / (due - step);
     DeskPose target = wanted_;
     target.place += left_;
+    if (trigger > 0) noteLed(target);
     held_.place = between(held_.place, target.place, share);
     held_.aim = between(held_.aim, target.aim, share);
     held_.distance = between(held_.distance, target.distance, share);

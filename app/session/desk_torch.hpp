@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/session/heat_source.hpp"
+#include "core/training/feedback/cues.hpp"
 #include "core/training/judging/seam.hpp"
 #include "core/training/judging/technique.hpp"
 #include "core/weld/torch/hand_tremor.hpp"
@@ -60,11 +61,15 @@ class DeskTorch {
     TorchSample next(int step, int due, double seconds, float burntOff, float trigger);
 
     const DeskPose& pose() const { return wanted_; }
+    /// Torch in that pose. Requires leads().
+    TorchSample sample() const { return sampleOf(wanted_, 0); }
     /// Kind of DeskPose::distance, and true if a rod is held.
     DistanceKind distanceKind() const { return kind_; }
     bool hasRod() const { return rod_; }
     /// True if the guide has led the torch since begin().
     bool guided() const { return guided_; }
+    /// Quantities that the hand has not led while it welded since begin(): the desk held them.
+    QuantitySet held() const;
 
   private:
     void take(const ProcessSettings& process);
@@ -73,6 +78,7 @@ class DeskTorch {
     void leadByKeys(const InputFrame& input, const DeskFrame& frame, double speed);
     void takeGamepad(const GamepadFrame& gamepad, const DeskFrame& frame, double speed);
     double wayLeft() const;
+    void noteLed(const DeskPose& target);
     TorchSample sampleOf(const DeskPose& pose, float burntOff) const;
     RodSample rodOf(const TorchSample& torch, const DeskPose& pose, const SeamFrame& frame) const;
 
@@ -85,6 +91,7 @@ class DeskTorch {
     double time_ = 0;   ///< s of the metal since begin()
     HandTremor hand_{1};
     bool guided_ = false;
+    QuantitySet led_; ///< quantities that the hand has led while it welded
     DeskPose wanted_; ///< target that the hand sets
     DeskPose held_;   ///< pose at the last step
     double pool_ = 0; ///< m by which the demonstration is held higher, over its pool

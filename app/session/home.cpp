@@ -16,7 +16,7 @@ Home::Home(LessonFolders lessons, const std::filesystem::path& scoresFile, const
       lessons_(readCatalogue(folders_, faults_)) {
     if (lessons_.empty())
         throw InputError(folders_.folders().front().path, 0, "holds no lesson; expected files that end in .toml");
-    choose(kDefaultLesson);
+    choose(size_t(0));
 }
 
 void Home::refresh() {

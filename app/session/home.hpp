@@ -40,7 +40,7 @@ class Home {
     /// Catalogue's entry of a lesson; null if it was read from a file elsewhere.
     const CataloguedLesson* find(const Lesson& lesson) const;
 
-    /// Lesson that a request to open one means; the default lesson at first.
+    /// Lesson that a request to open one means; the first at first.
     const CataloguedLesson& chosen() const { return lessons_[chosen_]; }
     size_t chosenIndex() const { return chosen_; }
     void choose(size_t index);

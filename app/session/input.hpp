@@ -17,6 +17,7 @@ enum class Key {
     f,
     h,
     j,
+    k,
     n,
     q,
     r,

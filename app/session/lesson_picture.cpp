@@ -7,8 +7,11 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_access.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <glm/trigonometric.hpp>
 #include <glm/vector_relational.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace meltpool {
@@ -32,6 +35,7 @@ LookParameters LessonPicture::look() const {
 
 void LessonPicture::beginFrame(double seconds, bool live) {
     sinceSeen_ += seconds;
+    namedCues_.clear();
     if (!live) return;
     const SurfaceParameters& surface = source_.lesson.surface;
     Lesson& running = trainer()->lesson();
@@ -40,6 +44,15 @@ void LessonPicture::beginFrame(double seconds, bool live) {
     running.surface = surface;
     running.look.detail = detail_;
     shownSurface_ = surface;
+}
+
+void LessonPicture::placeCamera(Controls& controls) {
+    controls.lens.fieldOfView = glm::radians(source_.lesson.camera.fieldOfView);
+    startCamera_.begin(controls, source_.lesson, source_.lead.desk());
+}
+
+void LessonPicture::frameCamera(Controls& controls, const CoveredEdges& covered, float aspect) {
+    if (!source_.run.arc().burns()) startCamera_.frame(controls, covered, aspect);
 }
 
 SceneView LessonPicture::scene(gl::Profiler* profiler) {
@@ -107,7 +120,7 @@ DeskPicture LessonPicture::atDesk(const Controls& controls, float aspect, float 
                                   gl::Profiler* profiler) {
     noteSurface();
     if (shown() != nullptr && !surfaceLater) shown()->makeSurface(profiler);
-    DeskPicture picture{sceneOfMetal(), controls.view(aspect)};
+    DeskPicture picture{sceneOfMetal(), controls.view(aspect), 0};
     SceneView& scene = picture.scene;
     View& view = picture.view;
     if (leader() == TorchLeader::desk) {
@@ -127,7 +140,25 @@ DeskPicture LessonPicture::atDesk(const Controls& controls, float aspect, float 
     lookThroughTable(scene, view);
     scene.ghost = ghostMarkers(scene, view);
     scene.markers = cueMarkers(scene, view);
+    if (!scene.markers.empty()) picture.boardMarkers = source_.activities.attempt.cues().boardMarkers();
+    nameCues(scene, view);
     return picture;
+}
+
+void LessonPicture::nameCues(const SceneView& scene, const View& view) {
+    namedCues_.clear();
+    if (scene.markers.empty()) return;
+    const AttemptCues& cues = source_.activities.attempt.cues();
+    for (const CueLabel& label : cues.labels()) {
+        if (!cues.isNew(label.kind)) continue;
+        const auto inWindow = [&](const glm::vec3& world) {
+            const glm::vec4 clip = view.eyeToClip * view.worldToEye * glm::vec4(world, 1);
+            return glm::vec2(clip.x, -clip.y) / std::max(clip.w, 1e-6f) * 0.5f + 0.5f;
+        };
+        const glm::vec2 place = inWindow(label.place);
+        const float width = 2 * std::abs(inWindow(label.end).x - place.x);
+        namedCues_.push_back({label.kind, place, width, label.above, static_cast<float>(label.opacity)});
+    }
 }
 
 void LessonPicture::draw(const DeskPicture& picture, const RenderTarget& target, gl::Profiler* profiler) {

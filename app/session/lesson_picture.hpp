@@ -4,6 +4,7 @@
 #include "app/session/controls.hpp"
 #include "app/session/cut_view.hpp"
 #include "app/session/lesson_run.hpp"
+#include "app/session/start_camera.hpp"
 #include "app/session/torch_lead.hpp"
 #include "core/render/effects/worn_visor.hpp"
 #include "core/render/renderer.hpp"
@@ -11,6 +12,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace meltpool {
 
@@ -18,6 +20,16 @@ namespace meltpool {
 struct DeskPicture {
     SceneView scene;
     View view;
+    size_t boardMarkers = 0; ///< number of the scene's last markers that are a board beside the work, not on it
+};
+
+/// Name of a cue's field in the window.
+struct NamedCue {
+    CueKind kind = CueKind::speed;
+    glm::vec2 place{0}; ///< middle of the field's upper or lower edge
+    float width = 0;    ///< of the field
+    bool above = false; ///< the edge is the upper one
+    float opacity = 1;
 };
 
 /// The lesson to show; all of it must outlive the picture.
@@ -45,6 +57,12 @@ class LessonPicture {
     /// `live`.
     void beginFrame(double seconds, bool live);
 
+    /// Places the desk's camera as the lesson says.
+    void placeCamera(Controls& controls);
+    /// Keeps torch and seam in the uncovered part of a picture of this width over height, from the lesson's start until
+    /// the person moves the camera; not while the arc burns.
+    void frameCamera(Controls& controls, const CoveredEdges& covered, float aspect);
+
     /// Scene with the current surface.
     SceneView scene(gl::Profiler* profiler);
     /// Picture of the lesson from the desk's camera. `aspect`: width over height; `shift`: of the picture's middle to
@@ -58,6 +76,9 @@ class LessonPicture {
     /// Cues for this eye, or for the middle between two, in the world of `scene`; none outside an attempt. Valid until
     /// the next call.
     std::span<const Marker> cueMarkers(const SceneView& scene, const View& eye);
+    /// Names of the cues on the board of the last desk picture that the person has made no progress with. Places are in
+    /// the window: shares of its width and height from the upper left.
+    std::span<const NamedCue> namedCues() const { return namedCues_; }
     /// Markers of the ghost, likewise. `zoom`: see AttemptGhost::markers().
     std::span<const Marker> ghostMarkers(const SceneView& scene, const View& eye, float zoom = 1);
 
@@ -87,6 +108,7 @@ class LessonPicture {
     bool showsHelp() const { return source_.activities.allowed().help && !cut_.shown(); }
     bool weld() const { return trainer() != nullptr && source_.lesson.model == LessonModel::Weld; }
     void noteSurface();
+    void nameCues(const SceneView& scene, const View& view);
     SceneView sceneOfMetal();
     void standBeforeCut(SceneView& scene, View& view);
     void placeCameraBeforeCut(Controls& controls) const;
@@ -97,6 +119,8 @@ class LessonPicture {
     SurfaceParameters shownSurface_;
     WornVisor visor_;
     double sinceSeen_ = 0; ///< s of real time since the last picture
+    std::vector<NamedCue> namedCues_;
+    StartCamera startCamera_;
     CutView cut_;
     OrbitCamera cameraBeforeCut_;
     Mode modeBeforeCut_ = Mode::interact;

@@ -4,8 +4,6 @@
 #include "core/base/words.hpp"
 #include "core/training/lesson/lesson_folders.hpp"
 
-#include <glm/trigonometric.hpp>
-
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -50,9 +48,7 @@ void LessonSession::prepare(Controls& controls) {
     controls.source().setCold(lesson().source.kind == 1);
     lead_.begin(lesson());
     controls.leadTorch(lead_.desk().leads());
-    const CameraParameters& camera = lesson().camera;
-    controls.placeCamera(OrbitCamera(glm::radians(camera.azimuth), glm::radians(camera.elevation), camera.distance));
-    controls.lens.fieldOfView = glm::radians(camera.fieldOfView);
+    picture_.placeCamera(controls);
 }
 
 void LessonSession::begin(Controls& controls) {

@@ -51,7 +51,9 @@ bool LessonSession::beginSteps(const Controls& controls, double seconds, gl::Pro
         return false;
     }
     nextTrial(activities_.trial.takeVerdict());
-    if (due && leader() == TorchLeader::desk) {
+    const bool deskLeads = leader() == TorchLeader::desk;
+    attempt().cues().setHeldByDesk(deskLeads ? lead_.desk().held() : QuantitySet());
+    if (due && deskLeads) {
         const glm::mat3 toScreen = glm::mat3(controls.view(1).worldToEye) * picture_.fixture().turn;
         lead_.update(controls, toScreen, seconds, run_.trainer()->lesson().process);
     }

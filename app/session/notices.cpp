@@ -76,6 +76,18 @@ std::string_view SlowNotice::update(double speed, bool burns, double elapsed) {
     return text_;
 }
 
+std::string_view HiddenCuesNotice::update(const AttemptCues& cues) {
+    const CueSet hidden = cues.faded();
+    if (hidden.empty() || cues.showsFaded() || !cues.used().empty()) return {};
+    if (hidden == told_) return sentence_;
+    std::string names;
+    for (const CueKind kind : kCueKinds)
+        if (hidden.has(kind)) names += (names.empty() ? "" : ", ") + phraseOf("notice.cues", cueName(kind));
+    sentence_ = phrase("notice.cues.hidden", {{"cues", names}});
+    told_ = hidden;
+    return sentence_;
+}
+
 void tellRecordings(RecordingKeeper& recordings, double now, Messages& messages) {
     recordings.update();
     if (recordings.fault().empty())
@@ -104,6 +116,12 @@ void Notices::update(LessonSession& session, LessonFigures& figures, const Trigg
         messages.clear(kSlowTopic);
     else
         messages.hold(slow_.sentence(), kSlowTopic);
+    const bool atDesk = session.leader() == TorchLeader::desk && !session.run().arc().burns();
+    const std::string_view hidden = atDesk ? hiddenCues_.update(session.attempt().cues()) : std::string_view();
+    if (hidden.empty())
+        messages.clear("cues");
+    else
+        messages.hold(hidden, "cues");
     const bool eye = session.running() && session.lesson().look.adaptation;
     if (eye && !session.picture().visor().sentence().empty())
         messages.hold(session.picture().visor().sentence(), "visor");

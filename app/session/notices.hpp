@@ -56,17 +56,29 @@ class SlowNotice {
 /// Call it in each frame. Allocates nothing while nothing changes.
 void tellRecordings(RecordingKeeper& recordings, double now, Messages& messages);
 
+/// Notice before the arc of an attempt that cues are hidden, and the key that shows them.
+class HiddenCuesNotice {
+  public:
+    /// Returns the notice; empty: none is hidden, or the arc has burned.
+    std::string_view update(const AttemptCues& cues);
+
+  private:
+    CueSet told_;
+    std::string sentence_;
+};
+
 class Notices {
   public:
-    /// Holds or clears the messages "arc", "ghost", "visor" and kSlowTopic, and sets figures.slow. `lock`: of the
-    /// torch's leader. The reason of a missing arc is a cue: it appears unless cues are withheld; a locked trigger is
-    /// always shown. Allocates nothing while nothing changes.
+    /// Holds or clears the messages "arc", "cues", "ghost", "visor" and kSlowTopic, and sets figures.slow. `lock`: of
+    /// the torch's leader. The reason of a missing arc is a cue: it appears unless cues are withheld; a locked trigger
+    /// is always shown. Allocates nothing while nothing changes.
     void update(LessonSession& session, LessonFigures& figures, const TriggerLock& lock, double elapsed,
                 Messages& messages);
 
   private:
     ArcNotice arc_;
     SlowNotice slow_;
+    HiddenCuesNotice hiddenCues_;
     double time_ = 0; ///< simulated time of the last call, s: it falls to 0 with a new attempt
 };
 

@@ -67,6 +67,8 @@ KeySituation keySituation(const Controls& controls, LessonSession& session, bool
     now.rod = now.seam && session.deskTorch().hasRod();
     now.judges = session.judges();
     now.next = now.judges && session.attempt().judged() && !session.lesson().next.empty();
+    now.fadedCues = own && !session.attempt().cues().faded().empty();
+    now.showsFadedCues = session.attempt().cues().showsFaded();
     now.redoes = now.judges && !session.values().forScore();
     return now;
 }
@@ -133,6 +135,8 @@ void KeyGuide::addWeld(const KeySituation& now) {
         add(keys(kHere, {Key::x}, now.cut ? "help.close_the_cut" : "help.cut_the_weld_open",
                  now.cut ? "bar.hint.close_the_cut" : ""));
     if (now.next) add(keys(kHere, {Key::enter}, "help.next_lesson"));
+    if (now.fadedCues)
+        add(keys(kHere, {Key::k}, now.showsFadedCues ? "help.hide_cues_again" : "help.show_hidden_cues"));
     if (now.redoes) add(keys(kHere, {Key::backspace}, "help.undo_the_last_seconds"));
 }
 

@@ -30,6 +30,8 @@ struct KeySituation {
     bool judges = false;  ///< the weld can be judged
     bool next = false;    ///< a judged lesson is followed by another
     bool redoes = false;  ///< the attempt can go back
+    bool fadedCues = false;      ///< cues are hidden, as the person has mastered them
+    bool showsFadedCues = false; ///< the person shows them nevertheless
     bool headset = false; ///< a headset is in use
 };
 KeySituation keySituation(const Controls& controls, LessonSession& session, bool home, bool headset);

@@ -51,6 +51,8 @@ void statusBar(Context& context, const LessonFigures& figures, const KeySituatio
 /// Draws the caption of sounds above the status bar in the middle of the uncovered width; `left`, `right`: width
 /// covered by panels, points.
 void captionLine(Context& context, std::string_view caption, float left, float right);
+/// Draws the names of cues at their fields of the board, on the picture.
+void cueNames(Context& context, std::span<const NamedCue> cues);
 void viewMenu(Context& context, std::span<const ParameterSection* const> sections);
 /// Draws the machine's values; closed below them, in the expert drawer, the solver's.
 void machinePart(Context& context, const ParameterSection& section);

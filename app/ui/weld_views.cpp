@@ -4,6 +4,7 @@
 #include "core/base/words.hpp"
 
 #include <algorithm>
+#include <cfloat>
 #include <span>
 #include <vector>
 
@@ -73,6 +74,23 @@ void drawSheet(Context& context, const BendDrawing& drawing) {
 }
 
 } // namespace
+
+void cueNames(Context& context, std::span<const NamedCue> cues) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImDrawList* draw = ImGui::GetBackgroundDrawList();
+    const float usual = loadedSize(*context.fonts.small) * ImGui::GetIO().FontGlobalScale;
+    for (const NamedCue& cue : cues) {
+        const char* const name = phraseOf("notice.cues", cueName(cue.kind)).c_str();
+        const float least = 0.55f * usual, room = cue.width * screen.x;
+        const float wide = context.fonts.small->CalcTextSizeA(usual, FLT_MAX, 0, name).x;
+        const float size = std::clamp(usual * room / std::max(wide, 1.0f), least, usual);
+        const ImVec2 words = context.fonts.small->CalcTextSizeA(size, FLT_MAX, 0, name);
+        const ImVec2 at{cue.place.x * screen.x - words.x / 2, cue.place.y * screen.y - (cue.above ? words.y : 0)};
+        const auto shade = static_cast<int>(190 * std::min(1.0f, cue.opacity / 0.6f));
+        draw->AddRectFilled({at.x - 2, at.y}, {at.x + words.x + 2, at.y + words.y}, IM_COL32(22, 25, 31, shade));
+        draw->AddText(context.fonts.small, size, at, colour::kText, name);
+    }
+}
 
 MenuRequest cutPart(Context& context, LessonSession& session) {
     CutView& cut = session.picture().cut();

@@ -70,10 +70,11 @@ View FreeCamera::view(const Lens& lens, float aspect) const {
     return makeView(position_, orientation(), lens, aspect);
 }
 
-OrbitCamera::OrbitCamera(float azimuth, float elevation, float distance)
+OrbitCamera::OrbitCamera(float azimuth, float elevation, float distance, const glm::vec3& target)
     : azimuth_(wrapped(azimuth)),
       elevation_(std::clamp(elevation, -kSteepest, kSteepest)),
-      distance_(std::clamp(distance, kNearest, kFarthest)) {}
+      distance_(std::clamp(distance, kNearest, kFarthest)),
+      target_(target) {}
 
 void OrbitCamera::orbit(const glm::vec2& turn) {
     azimuth_ = wrapped(azimuth_ + turn.x);
@@ -85,7 +86,7 @@ void OrbitCamera::approach(float factor) {
 }
 
 glm::vec3 OrbitCamera::position() const {
-    return -forward() * distance_;
+    return target_ - forward() * distance_;
 }
 
 glm::quat OrbitCamera::orientation() const {

@@ -1,4 +1,4 @@
-// The two cameras of the desktop: flying freely while looking, orbiting the origin while working.
+// The two cameras of the desktop: flying freely while looking, orbiting the work while working.
 #pragma once
 
 #include "core/render/view.hpp"
@@ -36,12 +36,12 @@ class FreeCamera {
     float pitch_ = 0;
 };
 
-/// Interact mode: looks at the origin from a sphere around it.
+/// Interact mode: looks at a point, the origin at first, from a sphere around it.
 class OrbitCamera {
   public:
     OrbitCamera() = default;
     /// azimuth: rad around +Y, 0 is on +Z, positive towards +X; elevation: rad above the xz plane.
-    OrbitCamera(float azimuth, float elevation, float distance);
+    OrbitCamera(float azimuth, float elevation, float distance, const glm::vec3& target = glm::vec3(0.0f));
 
     /// Orbits by `turn.x` (towards +X from +Z) and over by `turn.y`, rad.
     void orbit(const glm::vec2& turn);
@@ -54,16 +54,19 @@ class OrbitCamera {
     float azimuth() const { return azimuth_; }
     float elevation() const { return elevation_; }
     float distance() const { return distance_; }
+    const glm::vec3& target() const { return target_; }
     glm::vec3 position() const;
     glm::quat orientation() const;
     glm::vec3 forward() const;
     glm::vec3 right() const;
     View view(const Lens& lens, float aspect) const;
+    bool operator==(const OrbitCamera&) const = default;
 
   private:
     float azimuth_ = 0.7f;
     float elevation_ = 0.45f;
     float distance_ = 3.2f;
+    glm::vec3 target_{0.0f};
 };
 
 } // namespace meltpool

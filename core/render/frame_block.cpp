@@ -66,6 +66,18 @@ void addRolledFaces(FrameData& frame, const RolledFaces& rolled) {
     }
 }
 
+/// Adds the place on the metal that the source heats, faintly before it does, and its burner's shadow.
+void addSource(FrameData& frame, const SceneView& scene, bool shown) {
+    constexpr glm::vec3 kWarm(0.34f, 0.12f, 0.03f), kCold(0.06f, 0.20f, 0.30f);
+    constexpr float kOff = 0.5f, kShadow = 0.75f;
+    frame.sourceReach = 1;
+    if (!shown || !scene.source.shown) return;
+    frame.source = scene.modelToWorld * glm::vec4(scene.source.position, 1);
+    frame.sourceReach = scene.source.reach * frame.modelUnit;
+    frame.sourceLight = (scene.source.cold ? kCold : kWarm) * (scene.source.on ? 1.0f : kOff);
+    frame.sourceShadow = kShadow;
+}
+
 } // namespace
 
 FrameData makeFrame(const SceneView& scene, const LookParameters& look) {
@@ -104,6 +116,7 @@ FrameData makeFrame(const SceneView& scene, const LookParameters& look) {
     addShadowBoxes(frame, scene);
     addTorchParts(frame, scene);
     addRolledFaces(frame, scene.rolled);
+    addSource(frame, scene, look.showSource);
     frame.oxideRadius = scene.oxideRadius;
     frame.arc = scene.modelToWorld * glm::vec4(scene.arc.position, 1.0f);
     frame.arcMinDistanceSquared = scene.arc.radius * scene.arc.radius;

@@ -14,6 +14,7 @@
 #include "core/render/look/noise.hpp"
 #include "core/render/look/temperature_scale.hpp"
 #include "core/render/solids.hpp"
+#include "core/render/source_model.hpp"
 #include "core/render/stroke_painter.hpp"
 #include "core/render/surface_painter.hpp"
 #include "core/render/toned_program.hpp"
@@ -37,22 +38,6 @@ void setSwitch(GLenum capability, bool on) {
     (on ? glEnable : glDisable)(capability);
 }
 
-Solid sourceSolid(const SourceView& source, const glm::mat4& modelToWorld) {
-    Solid solid;
-    const glm::mat4 place = glm::translate(glm::mat4(1.0f), source.position);
-    solid.toWorld = modelToWorld * glm::scale(place, glm::vec3(source.size));
-    solid.gloss = 0.25f;
-    solid.colour = {0.02f, 0.06f, 0.75f};
-    if (source.on && source.cold) {
-        solid.colour = {0.45f, 0.80f, 0.90f};
-        solid.glow = {0.10f, 0.30f, 0.36f};
-    } else if (source.on) {
-        solid.colour = {0.80f, 0.02f, 0.01f};
-        solid.glow = {0.35f, 0.01f, 0.0f};
-    }
-    return solid;
-}
-
 } // namespace
 
 struct Renderer::Parts {
@@ -67,6 +52,8 @@ struct Renderer::Parts {
                    const RenderTarget& target, gl::Profiler* profiler);
     void gatherSolids(const SceneView& scene, const LookParameters& look, std::span<const View> views);
     void gatherFittings(const SceneView& scene, std::span<const View> views);
+    void drawMarkers(const SceneView& scene, const ViewBatch& views, const RenderTarget& target,
+                     gl::Profiler* profiler) const;
     void drawPoints(const ParticleView& particles, const ViewBatch& views, const RenderTarget& target) const;
     void drawSky(const ViewBatch& views, const RenderTarget& target) const;
     void keepSky(const LookParameters& look, std::span<const View> views, const RenderTarget& target);
@@ -83,6 +70,7 @@ struct Renderer::Parts {
     SolidPainter solids;
     SectionPainter section;
     StrokePainter strokes;
+    SourceModel source; ///< of this frame
     EffectsPainter effects;
     WorkshopPainter room;
     HiddenAreaPainter hidden;
@@ -240,13 +228,7 @@ void Renderer::Parts::drawBatch(const SceneView& scene, const LookParameters& lo
         effects.drawHaze(views, target);
     }
     if (scene.section.shown) strokes.draw(scene.section.at + scene.section.lift, views, target);
-    if (!scene.ghost.empty() || !scene.markers.empty()) {
-        const gl::Scope scope(profiler, "draw markers");
-        glEnable(GL_CULL_FACE);
-        solids.draw(scene.ghost, views, target);
-        solids.draw(scene.markers, views, target);
-        glDisable(GL_CULL_FACE);
-    }
+    drawMarkers(scene, views, target, profiler);
     if (scene.arc.intensity.g > 0 && has(look, DetailFeature::glare)) {
         const gl::Scope scope(profiler, "draw glare");
         drawGlare(views, target);
@@ -256,6 +238,17 @@ void Renderer::Parts::drawBatch(const SceneView& scene, const LookParameters& lo
     glDisable(GL_BLEND);
     glDisable(GL_CLIP_DISTANCE0);
     glDisable(GL_CLIP_DISTANCE1);
+}
+
+void Renderer::Parts::drawMarkers(const SceneView& scene, const ViewBatch& views, const RenderTarget& target,
+                                  gl::Profiler* profiler) const {
+    if (source.markers.empty() && scene.ghost.empty() && scene.markers.empty()) return;
+    const gl::Scope scope(profiler, "draw markers");
+    glEnable(GL_CULL_FACE);
+    solids.draw(source.markers, views, target);
+    solids.draw(scene.ghost, views, target);
+    solids.draw(scene.markers, views, target);
+    glDisable(GL_CULL_FACE);
 }
 
 /// A free camera goes through places that a person's head would avoid, and looks through hand and handle there. Both
@@ -280,8 +273,14 @@ void Renderer::Parts::gatherFittings(const SceneView& scene, std::span<const Vie
 void Renderer::Parts::gatherSolids(const SceneView& scene, const LookParameters& look, std::span<const View> views) {
     solids.begin();
     if (look.showSource && scene.source.shown) {
-        const Solid source = sourceSolid(scene.source, scene.modelToWorld);
-        solids.gather({&source, 1});
+        buildSource(source, scene.source, scene.modelToWorld);
+        solids.gather(source.solids);
+    } else {
+        source.markers.clear();
+    }
+    for (Solid mark : scene.section.shown ? std::span<const Solid>() : scene.chalk) {
+        mark.toWorld = scene.modelToWorld * mark.toWorld;
+        solids.gather({&mark, 1});
     }
     const DetailFeature shows = scene.handsTracked ? DetailFeature::room : DetailFeature::fittings;
     const bool fine = has(look, shows) && !scene.fittings.empty();
@@ -398,6 +397,20 @@ void Renderer::draw(const SceneView& scene, const LookParameters& look, std::spa
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_FRAMEBUFFER_SRGB);
+}
+
+void Renderer::drawOver(std::span<const Marker> markers, const RenderTarget& target) {
+    if (markers.empty()) return;
+    const ViewBatch first;
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
+    setSwitch(GL_FRAMEBUFFER_SRGB, target.encodesSrgb);
+    aim(first, target.viewport, 1);
+    glEnable(GL_CULL_FACE);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    parts_->solids.draw(markers, first, target);
+    for (const GLenum capability : {GL_CULL_FACE, GL_BLEND, GL_SCISSOR_TEST, GL_FRAMEBUFFER_SRGB})
+        glDisable(capability);
 }
 
 } // namespace meltpool

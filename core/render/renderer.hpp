@@ -35,6 +35,10 @@ class Renderer {
     void draw(const SceneView& scene, const LookParameters& look, std::span<const View> views,
               const RenderTarget& target, gl::Profiler* profiler);
 
+    /// Draws markers over a target as the first view of the last draw() sees them, whatever is in front of them. The
+    /// target has that view's shape; its size may be another one. Call it right after draw().
+    void drawOver(std::span<const Marker> markers, const RenderTarget& target);
+
     /// Returns the mirrored surroundings of the metal and the sky, see Environment.
     const gl::Texture& environment() const;
 

@@ -20,11 +20,12 @@
 
 namespace meltpool {
 
-/// Heat or cold source of the classic lesson, drawn as a small cube: blue, red while it heats, white while it cools.
+/// Heat or cold source of the classic lesson, drawn as a burner with a flame that points down; its shadow and the place
+/// that its heat reaches are on the metal.
 struct SourceView {
     bool shown = false;
     glm::vec3 position{0.0f}; ///< model units
-    float size = 0.06f;       ///< edge of the cube, model units
+    float reach = 0.32f;      ///< model units, distance that its heat reaches
     bool on = false;
     bool cold = false;
 };
@@ -72,6 +73,7 @@ struct SceneView {
     AfterImage afterImage;
     bool tableShown = false;                ///< a table is among the solids, and spatter can be on it
     std::span<const WorkpieceBlock> blocks; ///< model units; they block the arc's light from the solids behind them
+    std::span<const Solid> chalk;           ///< marks on the workpiece, placed in model units
     std::span<const Solid> solids;          ///< torch, table, clamps
     std::span<const Solid> fittings;        ///< finer solids of torch and hands, for high detail
     bool handsTracked = false;              ///< a person's own hands are among them: medium detail shows them too

@@ -23,7 +23,7 @@ constexpr glm::vec4 kGround(0.004f, 0.005f, 0.007f, 0.8f); ///< background of wo
 constexpr float kLine = 0.13f;                             ///< width of a measure's line, in heights of a figure
 constexpr float kLeader = 0.06f;
 constexpr float kTick = 0.9f;       ///< length of the ticks at a line's ends, likewise
-constexpr float kRow = 1.9f;        ///< distance between lines of text, likewise
+constexpr float kRow = 2.3f;        ///< distance between lines of text, likewise
 constexpr float kColumnGap = 1.6f;  ///< gap between the measures and the words, likewise
 constexpr float kAngleReach = 2.6f; ///< radius of an angle's arc, likewise
 constexpr int kArcPieces = 10;

@@ -184,6 +184,10 @@ struct FrameData {
     float oxideRadius; // radius of an island, model units; 0: none
     vec2 reserved;
     RolledPlate rolledParts[MOST_ROLLED_PLATES];
+    vec3 source;        // hottest place of the classic metal's flame, world
+    float sourceReach;  // distance that its heat reaches, world units
+    vec3 sourceLight;   // light of the place that it reaches; 0: no source
+    float sourceShadow; // share of the lamp's light that its burner takes straight below it
 };
 
 struct MaterialData {
@@ -223,7 +227,7 @@ struct SectionStroke {
 #ifdef __cplusplus
 static_assert(sizeof(SectionStroke) == 48);
 static_assert(sizeof(ViewData) == 224);
-static_assert(sizeof(FrameData) == 4 * 224 + 64 + (13 + 2 * MOST_SHADOW_BOXES + 3 * MOST_TORCH_PARTS + 3 * MOST_ROLLED_PLATES) * 16);
+static_assert(sizeof(FrameData) == 4 * 224 + 64 + (15 + 2 * MOST_SHADOW_BOXES + 3 * MOST_TORCH_PARTS + 3 * MOST_ROLLED_PLATES) * 16);
 static_assert(sizeof(MaterialData) == 9 * 16);
 } // namespace meltpool
 #endif

@@ -104,8 +104,66 @@ TEST_CASE("cues fade with the trainee's skill from the next attempt on; each att
     welder.lead(0.5, 1);
     CHECK(welder.markers() == 0);
     CHECK(welder.session.attempt().cues().used().names() == "arc");
+
+    AttemptCues& cues = welder.session.attempt().cues();
+    CHECK(cues.faded().names() == "speed angles distance aim seam");
+    cues.toggleFaded();
+    welder.lead(0.2, 1);
+    CHECK(welder.markers() > 5);
+    CHECK(cues.used() == CueSet::all());
+    cues.toggleFaded();
+    welder.lead(0.2, 1);
+    CHECK(welder.markers() == 0);
+    cues.toggleFaded();
+    welder.again(); // hidden again in the next attempt
+    welder.lead(0.2, 1);
+    CHECK(welder.markers() == 0);
     welder.session.open(test::smallBead()); // another lesson starts without knowledge of the trainee
     CHECK(welder.session.attempt().cues().skill() == CueSkill());
+}
+
+TEST_CASE("hidden cues are told before the arc at the desk, until they are shown", "[app]") {
+    Welder welder;
+    CueSkill skill;
+    skill.setGood(TechniqueQuantity::distance, CueSkill::kMastered);
+    welder.session.attempt().cues().setSkill(skill);
+    welder.again();
+    Notices notices;
+    Messages messages;
+    LessonFigures figures;
+    const TriggerLock unlocked;
+    const auto told = [&] {
+        welder.session.advance(welder.controls, 0.1, nullptr);
+        notices.update(welder.session, figures, unlocked, 0.1, messages);
+        std::string all;
+        for (const Message& message : messages.shown())
+            all += message.text;
+        return all;
+    };
+    CHECK_THAT(told(), test::containsText("Hidden") && test::containsText("distance"));
+    CHECK(told().find("speed") == std::string::npos);
+    welder.session.attempt().cues().toggleFaded();
+    CHECK(told().find("Hidden") == std::string::npos);
+}
+
+TEST_CASE("a cue's field on the board has its name until the person has made progress with it", "[app]") {
+    Welder welder;
+    const auto named = [&] {
+        welder.lead(0.4, 1);
+        welder.session.picture().atDesk(welder.controls, 1.5F, 0, false, nullptr);
+        CueSet names;
+        for (const NamedCue& cue : welder.session.picture().namedCues()) {
+            names.set(cue.kind);
+            CHECK(cue.width > 0);
+        }
+        return names.names();
+    };
+    CHECK(named() == "speed angles distance aim");
+    CueSkill skill;
+    skill.setGood(TechniqueQuantity::aim, 1);
+    skill.setGood(TechniqueQuantity::workAngle, 1); // the travel angle is new
+    welder.session.attempt().cues().setSkill(skill);
+    CHECK(named() == "speed angles distance");
 }
 
 TEST_CASE("a lesson shows the cues that it allows and can measure, and menus only those", "[app]") {

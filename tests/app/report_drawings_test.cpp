@@ -115,12 +115,12 @@ TEST_CASE("a section is drawn to scale from what is measured", "[app]") {
     bead.thickness = 6;
     bead.fusedWidth = 8;
     bead.penetration = 1;
-    CHECK(sectionScale(bead) == Approx(11.5)); // 184 units for 16 mm
+    CHECK(sectionScale(bead) == Approx(10)); // 160 units for 16 mm
     const std::string svg = sectionDrawing(bead);
     CHECK(firstUnclosed(svg) == "");
     // The middle of the face is at 8 + 8 mm, 8 + 2 mm.
-    CHECK_THAT(svg, containsText("class=\"weld\" d=\"M42.5,31.0 Q100.0,-15.0 157.5,31.0 Z\""));
-    CHECK_THAT(svg, containsText("class=\"fused\" d=\"M54.0,31.0 A46.0 11.5 0 0 0 146.0,31.0 Z\""));
+    CHECK_THAT(svg, containsText("class=\"weld\" d=\"M38.0,28.0 Q88.0,-12.0 138.0,28.0 Z\""));
+    CHECK_THAT(svg, containsText("class=\"fused\" d=\"M48.0,28.0 A40.0 10.0 0 0 0 128.0,28.0 Z\""));
     CHECK_THAT(svg, containsText("width 10.0 mm") && containsText("width 0.394 in") && containsText("plate 6.0 mm"));
     SectionSizes fillet;
     fillet.legBase = 6;

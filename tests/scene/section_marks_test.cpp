@@ -128,6 +128,11 @@ TEST_CASE("a measure's line ends where it is asked to, and words lie beside all 
         if (stroke.width < 1.5f * layout.text) continue;
         const float low = std::min(stroke.from.x, stroke.to.x), high = std::max(stroke.from.x, stroke.to.x);
         CHECK((high < 0 || low > 0.006f));
+        for (const SectionStroke& other : strokes) {
+            if (&other == &stroke || other.width < 1.5f * layout.text) continue;
+            const bool column = (other.from.x < 0) == (stroke.from.x < 0);
+            CHECK((!column || std::abs(other.from.y - stroke.from.y) > 1.2f * stroke.width)); // with room between them
+        }
     }
     layOutMarks({}, layout, strokes);
 }

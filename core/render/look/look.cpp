@@ -32,7 +32,7 @@ ParameterList describe(LookParameters& l) {
          "Distance from the model's origin."},
         {"show_box", "Box", "", &l.showBox, 0, 1, "White edges of the particles' space."},
         {"show_sky", "Workshop", "", &l.showSky, 0, 1, "Reflections stay when it is off."},
-        {"show_source", "Heat source", "", &l.showSource, 0, 1, "Small cube at the source."},
+        {"show_source", "Heat source", "", &l.showSource, 0, 1, "Burner, flame and the place that it heats."},
         {"point_size", "Point size", "model units", &l.pointSize, 0.001, 0.2, "Radius. Large points cost time."},
         {"exposure", "Exposure", "", &l.exposure, 0.01, 100, "Factor on all light. At 1 a material's grey is exact."},
         {"arc_light", "Arc's light", "", &l.arcLight, 0, 1,

@@ -163,9 +163,14 @@ CueShapes::Board CueShapes::boardFor(const CuePose& pose, const SeamFrame& frame
     return boardAt(stand_, pool, eye);
 }
 
-/// Adds the dark ground of a field.
-void CueShapes::addTile(const Board& board, const glm::vec3& middle, double opacity) {
+/// Adds the dark ground of a field, and its name.
+void CueShapes::addTile(const Board& board, const glm::vec3& middle, const Cue& cue, double opacity) {
     const float edge = kTile * board.cell;
+    const bool above = glm::dot(middle - board.origin, board.up) > board.cell;
+    const glm::vec3 place = middle + board.up * (above ? 0.5F * edge : -0.5F * edge);
+    const glm::vec3 end = place + board.right * (0.5F * edge);
+    labels_[labelCount_++] = {cue.kind, glm::vec3(toWorld_ * glm::vec4(place, 1)),
+                              glm::vec3(toWorld_ * glm::vec4(end, 1)), above, opacity};
     add(SolidShape::box,
         placed(middle - board.toEye * (2 * kLayer * board.cell), board.right * edge, board.up * edge,
                board.toEye * (kLayer * board.cell)),
@@ -182,7 +187,7 @@ void CueShapes::addBar(const Board& board, const Cue& cue, const glm::vec3& midd
             opacity * cue.opacity);
     };
     const auto inner = static_cast<float>(std::min(cue.inner, 1.0));
-    addTile(board, middle, cue.opacity);
+    addTile(board, middle, cue, cue.opacity);
     box(0, 2 * half, width, 0, kTrack, kBandOpacity);
     box(0, std::max(2 * half * inner, 0.05F * cell), width, 1, kBand, kBandOpacity);
     const float at = half * std::clamp(static_cast<float>(cue.share), -kFarthest, kFarthest);
@@ -223,7 +228,7 @@ void CueShapes::addAngles(const Board& board, const CueList& cues, const SeamFra
         add(SolidShape::cylinder, placed(middle + board.toEye * (thick * layer), x, y, board.toEye * (thick * 0.5F)),
             colour, cover * opacity);
     };
-    addTile(board, middle, opacity);
+    addTile(board, middle, any, opacity);
     disc(board.right * (2 * half), board.up * (2 * half), 0, kTrack, kBandOpacity);
     const auto innerOf = [&](const Cue* cue) {
         return 2 * half * static_cast<float>(cue != nullptr ? std::min(cue->inner, 1.0) : any.inner);
@@ -269,9 +274,10 @@ void CueShapes::addArcSign(const Board& board, const Cue& cue, const glm::vec3& 
         cue.opacity);
 }
 
-/// Adds dashes on the line to aim at, ahead of the pool, to the end of the wanted seam, fainter with distance.
-void CueShapes::addSeam(const Cue& cue, const Seam& seam, const CuePose& pose, const glm::vec3& pool,
-                        const CueEye& eye) {
+/// Adds dashes on the line to aim at, ahead of the pool, to the end of the wanted seam, fainter with distance; none on
+/// a weld.
+void CueShapes::addSeam(const Cue& cue, const Seam& seam, const CuePose& pose, const glm::vec3& pool, const CueEye& eye,
+                        const WeldedPlaces* welded) {
     const double onward = pose.direction != 0 ? pose.direction : pose.place < (pose.from + pose.to) / 2 ? 1 : -1;
     const glm::vec3 normal(seam.at(pose.place).up);
     const float width = std::clamp(kDashWidth * glm::distance(eye.position, pool), kThinnest, kThickest);
@@ -291,6 +297,7 @@ void CueShapes::addSeam(const Cue& cue, const Seam& seam, const CuePose& pose, c
     for (int i = 0; i < kDashes; ++i) {
         const double from = pose.place + onward * (kDashStart + i * kDashPeriod), to = from + onward * kDashLength;
         if (!seam.closed() && (std::max(from, to) > pose.to || std::min(from, to) < pose.from)) continue;
+        if (welded != nullptr && welded->any(from, to)) continue;
         const SeamFrame near = seam.at(from), far = seam.at(to);
         const glm::vec3 a(near.point + pose.line * near.across + kDashLift * near.up);
         const glm::vec3 b(far.point + pose.line * far.across + kDashLift * far.up);
@@ -302,13 +309,16 @@ void CueShapes::addSeam(const Cue& cue, const Seam& seam, const CuePose& pose, c
 }
 
 std::span<const Marker> CueShapes::build(const CueList& cues, const Seam& seam, const CuePose& pose, const CueEye& eye,
-                                         std::span<const WorkpieceBlock> blocks, const glm::mat4& toWorld) {
+                                         std::span<const WorkpieceBlock> blocks, const glm::mat4& toWorld,
+                                         const WeldedPlaces* welded) {
     markers_.clear();
+    dashes_ = labelCount_ = 0;
     toWorld_ = toWorld;
     if (cues.empty()) return markers_;
     const SeamFrame frame = seam.at(pose.place);
     const glm::vec3 pool(frame.point + frame.across * pose.aim);
-    if (const Cue* cue = cues.find(CueKind::seam)) addSeam(*cue, seam, pose, pool, eye);
+    if (const Cue* cue = cues.find(CueKind::seam)) addSeam(*cue, seam, pose, pool, eye, welded);
+    dashes_ = markers_.size();
     const Board board = boardFor(pose, frame, pool, eye, blocks);
     const glm::vec3 away = board.shown(-pose.axis, board.up);
     const glm::vec3 ahead = board.shown(glm::vec3(frame.tangent) * (pose.direction < 0 ? -1.0F : 1.0F), board.right);

@@ -5,11 +5,13 @@
 #include "core/render/solids.hpp"
 #include "core/training/feedback/cues.hpp"
 #include "core/training/judging/seam.hpp"
+#include "core/training/judging/welded_places.hpp"
 #include "core/weld/workpiece/workpiece.hpp"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -42,6 +44,15 @@ struct CueEye {
     std::optional<glm::mat4> toClip = {}; ///< transform from the workpiece's frame; empty: the picture has no edges
 };
 
+/// Name of a cue's field on the board.
+struct CueLabel {
+    CueKind kind = CueKind::speed;
+    glm::vec3 place{0}; ///< middle of the field's outer edge, upper or lower; world
+    glm::vec3 end{0};   ///< right end of that edge
+    bool above = false; ///< the edge is the upper one
+    double opacity = 1; ///< of the cue
+};
+
 /// True if `point`, seen from `eye`, hides a part of the disc around `centre` with unit normal `normal`.
 bool coversDisc(const glm::vec3& eye, const glm::vec3& point, const glm::vec3& centre, const glm::vec3& normal,
                 float radius);
@@ -61,9 +72,15 @@ class CueShapes {
     CueShapes();
 
     /// Builds the markers in the world, from the workpiece's frame by `toWorld`; valid until the next call. Allocates
-    /// nothing after the first. `blocks`: blocks of the workpiece.
+    /// nothing after the first. `blocks`: blocks of the workpiece. `welded`: places without dashes; may be null.
     std::span<const Marker> build(const CueList& cues, const Seam& seam, const CuePose& pose, const CueEye& eye,
-                                  std::span<const WorkpieceBlock> blocks, const glm::mat4& toWorld);
+                                  std::span<const WorkpieceBlock> blocks, const glm::mat4& toWorld,
+                                  const WeldedPlaces* welded = nullptr);
+
+    /// Number of the last markers of the last build() that are the board: all but the dashes.
+    size_t boardMarkers() const { return markers_.size() - dashes_; }
+    /// Fields of that board.
+    std::span<const CueLabel> labels() const { return {labels_.data(), labelCount_}; }
 
   private:
     /// A plane that faces the eye. Its fields are squares of edge `cell`, counted outwards and upwards.
@@ -92,14 +109,18 @@ class CueShapes {
                        std::span<const WorkpieceBlock> blocks);
     Board boardFor(const CuePose& pose, const SeamFrame& frame, const glm::vec3& pool, const CueEye& eye,
                    std::span<const WorkpieceBlock> blocks);
-    void addTile(const Board& board, const glm::vec3& middle, double opacity);
+    void addTile(const Board& board, const glm::vec3& middle, const Cue& cue, double opacity);
     void addBar(const Board& board, const Cue& cue, const glm::vec3& middle, const glm::vec3& along);
     void addAngles(const Board& board, const CueList& cues, const SeamFrame& frame, int direction);
     void addArcSign(const Board& board, const Cue& cue, const glm::vec3& away);
-    void addSeam(const Cue& cue, const Seam& seam, const CuePose& pose, const glm::vec3& pool, const CueEye& eye);
+    void addSeam(const Cue& cue, const Seam& seam, const CuePose& pose, const glm::vec3& pool, const CueEye& eye,
+                 const WeldedPlaces* welded);
     void add(SolidShape shape, const glm::mat4& place, const glm::vec3& colour, double opacity);
 
     std::vector<Marker> markers_;
+    size_t dashes_ = 0; ///< the first of the markers
+    std::array<CueLabel, 4> labels_;
+    size_t labelCount_ = 0;
     glm::mat4 toWorld_{1.0f};
     Stand stand_;      ///< place of the last board
     float wanted_ = 0; ///< side of the travel direction at that time

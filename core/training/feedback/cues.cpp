@@ -108,13 +108,14 @@ std::span<const CuedQuantity> cuedQuantities() {
     return kCued;
 }
 
-CueSkill CueSkill::after(const TechniqueScore& score) const {
+CueSkill CueSkill::after(const TechniqueScore& score, const QuantitySet& held) const {
     CueSkill next = *this;
     if (!score.scored || score.coverage < kLeastCoverage) return next;
     for (const CuedQuantity& cued : kCued) {
         const ParameterScore* parameter = score.find(cued.quantity);
         if (parameter == nullptr) continue;
-        const int step = parameter->score >= kGood ? 1 : parameter->score < kPoor ? -1 : 0;
+        const int gain = held.test(static_cast<size_t>(cued.quantity)) ? 0 : 1;
+        const int step = parameter->score >= kGood ? gain : parameter->score < kPoor ? -1 : 0;
         next.setGood(cued.quantity, std::clamp(good(cued.quantity) + step, 0, kMastered));
     }
     return next;

@@ -5,6 +5,7 @@
 #include "core/weld/process/arc.hpp"
 
 #include <array>
+#include <bitset>
 #include <optional>
 #include <span>
 #include <string>
@@ -53,6 +54,9 @@ struct CuedQuantity {
 };
 std::span<const CuedQuantity> cuedQuantities();
 
+/// A set of quantities of technique, such as those that the desk's torch holds by itself.
+using QuantitySet = std::bitset<kTechniqueQuantities>;
+
 /// A trainee's progress with each cued quantity of a lesson, which fades its cue. Feedback during a movement guides
 /// strongly, and a trainee who always had it does poorly without it; less of it makes less dependent
 /// ("Reduced-Frequency Concurrent and Terminal Feedback: A Test of the Guidance Hypothesis", J. Motor Behavior 2000). A
@@ -71,8 +75,9 @@ class CueSkill {
     /// Expects 0 <= good <= kMastered.
     void setGood(TechniqueQuantity quantity, int good) { good_[static_cast<size_t>(quantity)] = good; }
 
-    /// Progress after one more attempt; unchanged if that is not scored or too short.
-    CueSkill after(const TechniqueScore& score) const;
+    /// Progress after one more attempt; unchanged if that is not scored or too short. The quantities that were `held`
+    /// by the desk make no progress.
+    CueSkill after(const TechniqueScore& score, const QuantitySet& held = {}) const;
 
     /// Opacity of the quantity's cue: 1 full .. 0 gone.
     double strength(TechniqueQuantity quantity) const { return 1 - double(good(quantity)) / kMastered; }

@@ -15,7 +15,7 @@ namespace {
 /// The box with its source; everything else is the default of a SceneView.
 class ClassicScene : public MetalScene {
   public:
-    explicit ClassicScene(const bool& cold) : cold_(cold) {}
+    ClassicScene(const bool& cold, const ClassicParameters& parameters) : cold_(cold), parameters_(parameters) {}
 
     SceneView view(const TorchSample& torch) override {
         SceneView scene;
@@ -23,11 +23,14 @@ class ClassicScene : public MetalScene {
         scene.source.position = classicSourcePosition(torch.tip);
         scene.source.on = torch.trigger > 0;
         scene.source.cold = cold_;
+        scene.source.reach = std::sqrt(parameters_.heatRadius);
         return scene;
     }
 
   private:
-    const bool& cold_; ///< refers to the metal, whose lesson may change it
+    // of the metal, whose lesson may change them
+    const bool& cold_;
+    const ClassicParameters& parameters_;
 };
 
 } // namespace
@@ -71,7 +74,7 @@ void ClassicModel::prepare(Surface& surface) const {
 }
 
 std::unique_ptr<MetalScene> ClassicModel::makeScene() const {
-    return std::make_unique<ClassicScene>(cold_);
+    return std::make_unique<ClassicScene>(cold_, metal_.parameters);
 }
 
 } // namespace meltpool

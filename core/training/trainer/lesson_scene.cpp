@@ -9,6 +9,7 @@ LessonScene::LessonScene(gl::ShaderLibrary& shaders, Trainer& trainer)
     const SceneView scene = withoutSurface({});
     surface_ = std::make_unique<Surface>(shaders, trainer.lesson().surface, scene.boxMin, scene.boxMax);
     if (trainer.lesson().model == LessonModel::Weld) sight_.open(scene);
+    drawChalk();
     trainer_.watch(this);
 }
 
@@ -37,6 +38,32 @@ void LessonScene::noteMetal() {
     trainer_.metal().model().prepare(*surface_);
     noted_ = trainer_.metal().particles();
     if (lesson.look.detail == kLowDetail) noted_->frozenAt = nullptr; // ripples are not drawn
+    wipeChalk();
+}
+
+/// Draws the line to weld on a plate without a joint. A test has it too.
+void LessonScene::drawChalk() {
+    const Lesson& lesson = std::as_const(trainer_).lesson();
+    if (lesson.model != LessonModel::Weld || !lesson.technique || trainer_.technique() == nullptr) return;
+    if (static_cast<WorkpieceKind>(lesson.workpiece.kind) != WorkpieceKind::Plate) return;
+    const TechniqueBands& bands = *lesson.technique;
+    const TechniqueBand* aim = bands.find(TechniqueQuantity::aim);
+    const double line = aim != nullptr ? aim->ideal / quantityInfo(TechniqueQuantity::aim, bands.distance).perSi : 0;
+    const Seam& seam = trainer_.technique()->seam();
+    const auto place = [&](double mm) {
+        const SeamFrame frame = seam.at(mm * 1e-3);
+        return glm::vec3(frame.point + line * frame.across);
+    };
+    chalk_.emplace(ChalkEnds{place(bands.lengthFromMm), place(bands.lengthToMm), glm::vec3(seam.at(0).up)});
+    welded_.emplace(seam, line);
+}
+
+void LessonScene::wipeChalk() {
+    if (!chalk_) return;
+    welded_->update(*trainer_.technique());
+    if (std::exchange(wiped_, welded_->changes()) == welded_->changes()) return;
+    const double first = std::as_const(trainer_).lesson().technique->lengthFromMm * 1e-3;
+    chalk_->wipe([&](double from, double to) { return welded_->any(first + from, first + to); });
 }
 
 void LessonScene::makeSurface(gl::Profiler* profiler) {
@@ -55,6 +82,7 @@ SceneView LessonScene::view() {
     scene.mesh = surface_->mesh();
     scene.meshIsOpen = !trainer_.lesson().surface.caps;
     scene.effects = sight_.view();
+    if (chalk_) scene.chalk = chalk_->solids();
     return scene;
 }
 

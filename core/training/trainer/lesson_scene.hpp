@@ -2,8 +2,10 @@
 // there are pictures, or a hand that must feel the metal.
 #pragma once
 
+#include "core/scene/chalk_line.hpp"
 #include "core/surface/surface.hpp"
 #include "core/training/feedback/arc_appearance.hpp"
+#include "core/training/judging/welded_places.hpp"
 #include "core/training/trainer/tip_probe.hpp"
 #include "core/training/trainer/trainer.hpp"
 
@@ -54,6 +56,8 @@ class LessonScene : private StepWatcher {
     void restored() override;
     SceneView withoutSurface(const TorchSample& torch);
     void forgetOldMetal();
+    void drawChalk();
+    void wipeChalk();
 
     Trainer& trainer_;
     std::unique_ptr<MetalScene> around_;
@@ -63,6 +67,9 @@ class LessonScene : private StepWatcher {
     bool metalExchanged_ = false; ///< true: the metal was replaced since the probe's request; the scene's thread then
                                   ///< drops the request
     ArcAppearance sight_;
+    std::optional<ChalkLine> chalk_; ///< on a plate without a joint
+    std::optional<WeldedPlaces> welded_;
+    size_t wiped_ = 0; ///< WeldedPlaces::changes() of the chalk that is left
 };
 
 } // namespace meltpool

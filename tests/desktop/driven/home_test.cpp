@@ -138,7 +138,7 @@ TEST_CASE("without a lesson named the window opens on the list of lessons, and n
     CHECK(s.at("metal").at("steps") == 0);
     CHECK(s.at("messages").empty());
     CHECK_FALSE(s.at("places").contains("start.particles"));
-    for (const char* lesson : {"home.lesson.classic", "home.lesson.solder-cube"}) {
+    for (const char* lesson : {"home.lesson.gmaw-bead", "home.lesson.tee-fillet"}) {
         INFO(lesson);
         REQUIRE(s.at("places").contains(lesson));
         const auto [x, y, width, height] = s.at("places").at(lesson).get<std::array<double, 4>>();
@@ -153,7 +153,7 @@ TEST_CASE("without a lesson named the window opens on the list of lessons, and n
         window.waitFor("the new size", [w = width, h = height](const json& t) {
             return t.at("window").at("pixels") == json({w, h});
         });
-        CHECK(window.place("home.lesson.classic")[0] >= 0);
+        CHECK(window.place("home.lesson.gmaw-bead")[0] >= 0);
         CHECK(window.place("home.help")[1] < height);
         window.takePicture("home-" + std::to_string(width));
     }
@@ -197,7 +197,7 @@ TEST_CASE("the demonstration is stopped, moved and left for one's own attempt by
     waitForPage(window, "home");
 }
 
-TEST_CASE("two strokes of Enter start the default lesson; H, Escape and the arrow keys lead through the pages") {
+TEST_CASE("two strokes of Enter start the chosen lesson; H, Escape and the arrow keys lead through the pages") {
     TrainerWindow window("home-keys", {.lesson = "", .data = smallCatalogue()});
     CHECK(window.state().at("page") == "home");
     window.key("F2");
@@ -210,6 +210,8 @@ TEST_CASE("two strokes of Enter start the default lesson; H, Escape and the arro
     window.key("Escape");
     window.waitFor("no settings", [](const json& s) { return s.at("panels").at("settings") == false; });
     CHECK(window.state().at("page") == "home");
+    window.key("Right");
+    window.settle();
     window.key("Return");
     waitForPage(window, "start");
     CHECK(parameterIn(window.settle(), "start", "particles") == "1000"); // value from the settings file
@@ -219,7 +221,11 @@ TEST_CASE("two strokes of Enter start the default lesson; H, Escape and the arro
     window.key("h");
     waitForPage(window, "home");
     CHECK(window.settle().at("metal").at("steps") == 0);
-    window.key("Right");
+    window.key("Tab");
+    window.waitFor("the attempts", [](const json& s) { return !s.at("places").contains("home.lesson.classic"); });
+    window.key("h");
+    window.waitFor("the lessons", [](const json& s) { return s.at("places").contains("home.lesson.classic"); });
+    window.key("Left");
     window.settle();
     window.key("Return");
     waitForPage(window, "start");

@@ -77,6 +77,38 @@ double degrees(double radians) {
 
 } // namespace
 
+TEST_CASE("the desk holds what the hand does not lead while it welds") {
+    const auto held = [](const Desk& desk, TechniqueQuantity quantity) {
+        return desk.torch.held().test(static_cast<size_t>(quantity));
+    };
+    Desk desk("gmaw-bead");
+    InputFrame wheel;
+    wheel.scroll = 2;
+    desk.frame(wheel, false); // before the arc
+    desk.frames(5);
+    CHECK(desk.torch.held().all());
+
+    InputFrame along;
+    along.mouseMove = {10, 0};
+    desk.frames(5, along);
+    CHECK_FALSE(held(desk, TechniqueQuantity::travelSpeed));
+    CHECK(held(desk, TechniqueQuantity::aim));
+    CHECK(held(desk, TechniqueQuantity::distance));
+    desk.frame(wheel);
+    CHECK_FALSE(held(desk, TechniqueQuantity::distance));
+    desk.frame(pressed(Key::right));
+    CHECK_FALSE(held(desk, TechniqueQuantity::travelAngle));
+    CHECK(held(desk, TechniqueQuantity::workAngle));
+    desk.frame(pressed(Key::up));
+    CHECK_FALSE(held(desk, TechniqueQuantity::workAngle));
+    desk.torch.begin(desk.lesson); // another attempt
+    CHECK(desk.torch.held().all());
+
+    desk.parameters.guideSpeed = 6;
+    desk.frames(5, along);
+    CHECK(held(desk, TechniqueQuantity::travelSpeed));
+}
+
 TEST_CASE("a guided desk torch is measured as it is held, on plate, tee and under each process") {
     for (const char* name : {"gmaw-bead", "tee-fillet", "gtaw-bead", "smaw-bead"}) {
         INFO(name);

@@ -27,20 +27,26 @@ fs::path lessonsWith(const std::string& name, const std::map<std::string, std::s
 
 } // namespace
 
-TEST_CASE("the shipped lessons are listed without a fault; the easiest come first, and the default is chosen") {
+TEST_CASE("the shipped lessons are listed by process, the easiest of each first, from a bead with wire and gas on") {
     Home home(shippedLessons(), test::scratchFolder("home-shipped") / "best-scores.toml");
     REQUIRE(home.lessons().size() >= 5);
-    int level = 1;
+    int level = 1, process = 0;
+    std::string order;
     for (const CataloguedLesson& lesson : home.lessons()) {
         INFO(lesson.key << ": " << lesson.fault);
         CHECK(lesson.fault.empty());
         CHECK_FALSE(lesson.title.empty());
         CHECK_FALSE(lesson.text.empty());
-        CHECK(lesson.level >= level);
+        CHECK(lesson.process >= process);
+        if (lesson.process == process) CHECK(lesson.level >= level);
         level = lesson.level;
+        process = lesson.process;
+        order += lesson.key + " ";
         if (!lesson.next.empty()) CHECK(home.find(lesson.next) != nullptr);
     }
-    CHECK(home.chosen().key == kDefaultLesson);
+    CHECK(order.starts_with(
+        "gmaw-bead tee-fillet tee-thin lap-2f corner-1f butt-1g tee-3f smaw-bead smaw-tee gtaw-bead "));
+    CHECK(home.chosen().key == "gmaw-bead");
     CHECK(home.find(readLesson(shippedLessons() / "gmaw-bead.toml")) == home.find("gmaw-bead"));
     CHECK(home.find("knitting") == nullptr);
 }
@@ -53,12 +59,23 @@ TEST_CASE("a lesson at fault is listed with its sentence, after those that can b
     std::string order;
     for (const CataloguedLesson& lesson : home.lessons())
         order += lesson.key;
-    CHECK(order == "dcab"); // lessons without a level are sorted by name
+    CHECK(order == "dcba"); // a lesson without a level comes after the others, the faulty one last
     CHECK_THAT(home.find("a")->fault, test::containsText("a.toml:2: level"));
     CHECK(home.find("a")->title == "a");
     CHECK(home.find("b")->title == "B");
     CHECK_THROWS_AS(Home(lessonsWith("home-empty", {}), folder / "best-scores.toml"), InputError);
     CHECK_THROWS_AS(Home(folder / "none", folder / "best-scores.toml"), InputError);
+}
+
+TEST_CASE("lessons of a level are listed before the ones that follow them, also if they go round") {
+    const fs::path folder = lessonsWith(
+        "home-next",
+        {{"a", "next = 'c'\n"}, {"b", "next = 'a'\n"}, {"c", ""}, {"x", "next = 'y'\n"}, {"y", "next = 'x'\n"}});
+    const Home home(folder, folder / "best-scores.toml");
+    std::string order;
+    for (const CataloguedLesson& lesson : home.lessons())
+        order += lesson.key;
+    CHECK(order == "bacxy");
 }
 
 TEST_CASE("arrow keys move the choice through rows of lessons and stop at both ends") {

@@ -22,7 +22,7 @@ using ui::KeySituation;
 std::vector<KeySituation> situations() {
     const KeySituation weld{.lesson = true, .seam = true, .arc = true, .judges = true, .redoes = true};
     std::vector<KeySituation> all(9, weld);
-    all[1].rod = true;
+    all[1].rod = all[1].fadedCues = true;
     all[2].caught = true;
     all[3].looking = true;
     all[4].headset = all[4].next = true;

@@ -220,6 +220,46 @@ TEST_CASE("the seam's dashes lie on the line that the lesson wants aimed at", "[
         CHECK(glm::distance(glm::vec3(beside[i].toWorld[3]), glm::vec3(before[i].toWorld[3]) + way) < 1e-7F);
 }
 
+TEST_CASE("the seam's dashes leave out what has been welded", "[training]") {
+    Stage stage(WorkpieceKind::Tee);
+    stage.pose.direction = 1;
+    CueList cues;
+    Cue cue;
+    cue.kind = CueKind::seam;
+    cues.add(cue);
+    const CueEye eye = eyeAt(stage.pool, 0, 40, 0.15F);
+    CueShapes shapes;
+    const auto dashes = [&](const WeldedPlaces* welded) {
+        return shapes.build(cues, stage.seam, stage.pose, eye, stage.blocks, glm::mat4(1), welded).size();
+    };
+    const size_t all = dashes(nullptr);
+    REQUIRE(all > 4);
+    WeldedPlaces welded(stage.seam);
+    CHECK(dashes(&welded) == all);
+    Technique technique(stage.seam);
+    ArcState arc;
+    arc.action = ArcAction::burning;
+    TorchSample torch;
+    const auto weldAt = [&](double place) {
+        torch.time += 0.01;
+        const SeamFrame frame = stage.seam.at(place);
+        torch.tip = glm::vec3(frame.point + 1e-3 * frame.up);
+        const glm::vec3 back(frame.up), right(frame.tangent);
+        torch.orientation = glm::quat_cast(glm::mat3(right, glm::cross(back, right), back));
+        technique.add(torch, arc);
+        welded.update(technique);
+    };
+    weldAt(stage.pose.place + 14e-3);
+    CHECK(dashes(&welded) < all);
+    CHECK(dashes(&welded) > 0);
+    for (double way = 8e-3; way < 40e-3; way += 0.5e-3)
+        weldAt(stage.pose.place + way);
+    CHECK(dashes(&welded) == 0);
+    technique.reset(); // another attempt
+    welded.update(technique);
+    CHECK(dashes(&welded) == all);
+}
+
 namespace {
 
 /// A plate under a torch, in a world of 25 units to the metre.
@@ -340,4 +380,30 @@ TEST_CASE("a marker lets as much through as its opacity says", "[training]") {
     CHECK(middle(0) < 60);
     CHECK(middle(0.4F) > middle(0) + 30);
     CHECK(middle(0.4F) < middle(1) - 30);
+}
+
+TEST_CASE("markers drawn over a picture are where its own would be, in a target of another size too", "[training]") {
+    const PictureTarget small(32, 32), large(64, 64);
+    Renderer renderer(test::shaders());
+    LookParameters look;
+    look.showBox = look.showSource = look.showSky = false;
+    const View view = viewOf({0, 0, 3}, {0, 0, 0}, 1);
+    Marker marker;
+    marker.toWorld = glm::translate(glm::mat4(1), glm::vec3(0.5F, 0, 0));
+    marker.colour = {1, 0, 0};
+    SceneView scene;
+    scene.markers = {&marker, 1};
+    const auto redAt = [](const PictureTarget& target, int x, int y) {
+        const Image image = target.read();
+        return int(image.rgb[static_cast<size_t>(y * image.width + x) * 3]);
+    };
+    renderer.draw(scene, look, {&view, 1}, large.target(), nullptr);
+    CHECK(redAt(large, 44, 32) > 200);
+    scene.markers = {};
+    renderer.draw(scene, look, {&view, 1}, large.target(), nullptr);
+    CHECK(redAt(large, 44, 32) < 60);
+    renderer.draw(scene, look, {&view, 1}, small.target(), nullptr);
+    renderer.drawOver({&marker, 1}, large.target());
+    CHECK(redAt(large, 44, 32) > 200);
+    CHECK(redAt(large, 20, 32) < 60);
 }

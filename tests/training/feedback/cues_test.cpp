@@ -217,6 +217,24 @@ TEST_CASE("a cue fades with good attempts, comes back with poor ones, and a shor
     CHECK(liveCues(technique, arc, &bands, CueSet::all(), skill).find(CueKind::speed) == nullptr);
 }
 
+TEST_CASE("what the desk held by itself makes no progress, but a poor attempt with it counts", "[training]") {
+    TechniqueScore score;
+    score.scored = true;
+    score.coverage = 1;
+    score.parameters.resize(2);
+    score.parameters[0].quantity = TechniqueQuantity::distance;
+    score.parameters[1].quantity = TechniqueQuantity::aim;
+    score.parameters[0].score = score.parameters[1].score = 100;
+    QuantitySet held;
+    held.set(static_cast<size_t>(TechniqueQuantity::distance));
+    CueSkill skill = CueSkill().after(score, held);
+    CHECK(skill.good(TechniqueQuantity::distance) == 0);
+    CHECK(skill.good(TechniqueQuantity::aim) == 1);
+    skill.setGood(TechniqueQuantity::distance, 2);
+    score.parameters[0].score = 50;
+    CHECK(skill.after(score, held).good(TechniqueQuantity::distance) == 1);
+}
+
 TEST_CASE("a lesson says which cues it allows; a name that is none is refused with its line", "[training]") {
     const auto file = test::scratchFolder("cues") / "lesson.toml";
     const auto lessonWith = [&](const std::string& cues) {

@@ -61,6 +61,34 @@ TEST_CASE("the scene carries the surface, the particles and the source", "[train
     CHECK(scene.source.position.x == Approx(0.55f));
 }
 
+TEST_CASE("a plate without a joint has a soapstone line, a joint and the classic metal have none", "[training]") {
+    const auto chalked = [](const Lesson& lesson) {
+        Trainer trainer(test::shaders(), lesson);
+        return !LessonScene(test::shaders(), trainer).view().chalk.empty();
+    };
+    CHECK(chalked(smallBead()));
+    CHECK_FALSE(chalked(smallLesson()));
+    Lesson tee = smallBead();
+    tee.workpiece.kind = static_cast<int>(WorkpieceKind::Tee);
+    CHECK_FALSE(chalked(tee));
+}
+
+TEST_CASE("the arc wipes the soapstone line off under it; another attempt has it again", "[training]") {
+    Trainer trainer(test::shaders(), smallBead());
+    LessonScene scene(test::shaders(), trainer);
+    const size_t all = scene.view().chalk.size();
+    TorchSample torch = upright({0, 1e-3F, 0});
+    torch.trigger = 1;
+    for (int i = 0; i < 400 && !trainer.arc().burns(); ++i)
+        trainer.advance(torch, nullptr);
+    REQUIRE(trainer.arc().burns());
+    scene.updateSurface(nullptr);
+    CHECK(scene.view().chalk.size() < all);
+    trainer.reset();
+    scene.updateSurface(nullptr);
+    CHECK(scene.view().chalk.size() == all);
+}
+
 TEST_CASE("the surface of the classic metal takes up only the metal that changed", "[training]") {
     Trainer trainer(test::shaders(), smallLesson());
     LessonScene scene(test::shaders(), trainer);

@@ -1,0 +1,27 @@
+// Places a camera so that its picture shows given points in the part that no panel covers.
+#pragma once
+
+#include "core/render/camera.hpp"
+
+#include <span>
+
+namespace meltpool {
+
+/// Edges of a picture that panels cover, as shares of its width and height.
+struct CoveredEdges {
+    float left = 0;
+    float right = 0;
+    float bottom = 0;
+    float top = 0;
+
+    /// Distance of the uncovered part's middle to the right of the picture's, as a share of half its width.
+    float shift() const { return left - right; }
+};
+
+/// Returns the camera that looks in the direction of `wanted` and has all `points` (world) in the uncovered part. It
+/// moves `wanted` sideways and away no farther than it must, and never nearer. `aspect`: width over height of the
+/// picture, whose middle is shifted by `covered.shift()`. Returns `wanted` for no points, or if nothing is uncovered.
+OrbitCamera framed(const OrbitCamera& wanted, const Lens& lens, float aspect, const CoveredEdges& covered,
+                   std::span<const glm::vec3> points);
+
+} // namespace meltpool

@@ -1,0 +1,62 @@
+#include "core/scene/chalk_line.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace meltpool {
+
+namespace {
+
+constexpr glm::vec3 kSoapstone(0.80F, 0.82F, 0.78F);
+constexpr float kStroke = 2e-3F;      ///< m, length of a stroke: a weld wipes whole strokes off
+constexpr float kWidth = 1.1e-3F;     ///< m, of a sharpened stick's line
+constexpr float kThickness = 0.7e-3F; ///< m, half of it below the face, whose surface is drawn as fine as its cells
+constexpr float kEndMark = 16e-3F;    ///< m, length of the mark across either end
+constexpr float kCovered = 8e-3F;     ///< m of it in its middle, which the weld covers
+/// Widths of strokes that follow one another, in kWidth: a stick on rolled steel leaves no even line.
+constexpr std::array<float, 7> kUneven{1.0F, 0.82F, 1.08F, 0.9F, 1.12F, 0.78F, 0.96F};
+
+glm::mat4 strokeAt(const glm::vec3& middle, const glm::vec3& along, const glm::vec3& up, float length, float width) {
+    return {glm::vec4(along * length, 0), glm::vec4(up * kThickness, 0), glm::vec4(glm::cross(along, up) * width, 0),
+            glm::vec4(middle, 1)};
+}
+
+} // namespace
+
+ChalkLine::ChalkLine(const ChalkEnds& ends) {
+    const glm::vec3 way = ends.to - ends.from;
+    const float length = glm::length(way);
+    if (!(length > kStroke)) return;
+    const glm::vec3 along = way / length, across = glm::cross(along, ends.up);
+    const int count = static_cast<int>(std::round(length / kStroke));
+    const float part = length / static_cast<float>(count);
+    const auto add = [&](const glm::mat4& place, float from, float to, bool stays = false) {
+        strokes_.push_back({{SolidShape::box, place, kSoapstone, 0.0F}, from, to, stays});
+    };
+    for (int i = 0; i < count; ++i) {
+        const float from = part * static_cast<float>(i);
+        const float width = kWidth * kUneven[static_cast<size_t>(i) % kUneven.size()];
+        add(strokeAt(ends.from + along * (from + part / 2), along, ends.up, part, width), from, from + part);
+    }
+    constexpr float kOuter = (kEndMark - kCovered) / 2;
+    for (const float at : {0.0F, length}) {
+        const glm::vec3 end = ends.from + along * at;
+        add(strokeAt(end, across, ends.up, kCovered, kWidth), at, at);
+        for (const float side : {-1.0F, 1.0F})
+            add(strokeAt(end + across * (side * (kCovered + kOuter) / 2), across, ends.up, kOuter, kWidth), at, at,
+                true);
+    }
+    shown_.reserve(strokes_.size());
+    wipe([](double, double) { return false; });
+}
+
+void ChalkLine::wipe(FunctionRef<bool(double from, double to)> welded) {
+    shown_.clear();
+    for (const Stroke& stroke : strokes_)
+        if (stroke.stays || !welded(stroke.from, stroke.to)) shown_.push_back(stroke.solid);
+}
+
+} // namespace meltpool

@@ -1,0 +1,43 @@
+// A soapstone line on a plate: where to weld, with a mark across it at either end. It is on the piece, as a welder
+// draws it, and no cue.
+#pragma once
+
+#include "core/base/function_ref.hpp"
+#include "core/render/solid.hpp"
+
+#include <glm/vec3.hpp>
+
+#include <span>
+#include <vector>
+
+namespace meltpool {
+
+/// Ends of the line on the plate's face, workpiece frame, m.
+struct ChalkEnds {
+    glm::vec3 from{0};
+    glm::vec3 to{0};
+    glm::vec3 up{0, 1, 0}; ///< unit vector out of the face
+};
+
+class ChalkLine {
+  public:
+    explicit ChalkLine(const ChalkEnds& ends);
+
+    /// Wipes the strokes off whose part of the line is `welded`, which takes ways (m) from the line's first end. The
+    /// others are there again.
+    void wipe(FunctionRef<bool(double from, double to)> welded);
+    /// Strokes that are left, placed in the workpiece's frame.
+    std::span<const Solid> solids() const { return shown_; }
+
+  private:
+    /// One stroke with its way along the line, m.
+    struct Stroke {
+        Solid solid;
+        double from = 0, to = 0;
+        bool stays = false; ///< beside every weld on the line
+    };
+    std::vector<Stroke> strokes_;
+    std::vector<Solid> shown_;
+};
+
+} // namespace meltpool

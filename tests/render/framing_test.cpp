@@ -1,0 +1,36 @@
+// Framing: a camera moves no more than it must to show points beside the panels.
+#include "core/render/framing.hpp"
+#include "tests/support/catch.hpp"
+
+#include <glm/vec4.hpp>
+
+#include <array>
+
+namespace meltpool {
+
+TEST_CASE("a camera that shows all points stays; others move aside first, and away only if that is not enough") {
+    const OrbitCamera wanted(0.5f, 0.4f, 3);
+    const Lens lens;
+    const std::array<glm::vec3, 2> small{glm::vec3(-0.1f, 0, 0), glm::vec3(0.1f, 0, 0)};
+    CHECK(framed(wanted, lens, 1.5f, {}, small) == wanted);
+    CHECK(framed(wanted, lens, 1.5f, {}, {}) == wanted);
+    CHECK(framed(wanted, lens, 1.5f, {0.5f, 0.5f, 0, 0}, small) == wanted); // nothing is uncovered
+
+    const std::array<glm::vec3, 2> aside{glm::vec3(-0.1f, 2, 0), glm::vec3(0.1f, 2, 0)};
+    const OrbitCamera raised = framed(wanted, lens, 1.5f, {}, aside);
+    CHECK(raised.distance() == wanted.distance());
+    CHECK(raised.target() != wanted.target());
+
+    const std::array<glm::vec3, 2> wide{glm::vec3(-4, 0, 0), glm::vec3(4, 0, 0)};
+    const OrbitCamera back = framed(wanted, lens, 1.5f, {0, 0.3f, 0.1f, 0.1f}, wide);
+    CHECK(back.distance() > wanted.distance());
+    const View view = back.view(lens, 1.5f);
+    for (const glm::vec3& point : wide) {
+        const glm::vec4 clip = view.eyeToClip * view.worldToEye * glm::vec4(point, 1);
+        const float x = clip.x / clip.w - 0.3f; // the picture's middle is that of the uncovered part
+        CHECK(x > -1);
+        CHECK(x < 1 - 2 * 0.3f);
+    }
+}
+
+} // namespace meltpool
