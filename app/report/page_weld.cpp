@@ -108,6 +108,21 @@ std::string itemRow(const LetteredItem& each) {
            "</td><td class=\"" + textIn(item, "state") + "\">" + stateText(item) + "</td></tr>\n";
 }
 
+/// List of likely causes and remedies; empty if no item has one.
+std::string curesOf(const std::vector<LetteredItem>& items) {
+    std::string html;
+    for (const LetteredItem& each : items) {
+        const std::string cure = textIn(*each.item, "cure"), wish = textIn(*each.item, "try");
+        if (cure.empty()) continue;
+        html += "<li>" + cure;
+        if (!wish.empty())
+            html += " <span class=\"quiet\">" + phrase("page.verdict.try", {{"what_if", wish}}) + "</span>";
+        html += "</li>\n";
+    }
+    if (html.empty()) return html;
+    return "<p><b>" + phrase("cure.heading") + "</b></p>\n<ol>\n" + html + "</ol>\n";
+}
+
 } // namespace
 
 std::string verdictPart(const RunResults& results) {
@@ -126,7 +141,7 @@ std::string verdictPart(const RunResults& results) {
                                                        {"verdict", word}}) +
                        "</h2>\n";
     const std::vector<LetteredItem> items = lettered(partIn(verdict, "items"));
-    html += stripOf(results, items);
+    html += curesOf(items) + stripOf(results, items);
     html += "<table><thead><tr><th></th>" +
             headCells({"page.verdict.column.imperfection", "page.verdict.column.value", "page.verdict.column.limit",
                        "page.verdict.column.where", "page.verdict.column.verdict"}) +
