@@ -249,7 +249,7 @@ TEST_CASE("from the list of lessons to the weld, its result and back the panel o
 
 TEST_CASE("the panel asks who welds; the recording of the lesson bears the name that was pressed", "[runtime]") {
     handGeometry();
-    const fs::path folder = benchFolder() / "who";
+    const fs::path folder = runFolder() / "who";
     const fs::path person = folder / "meltpool" / "persons" / "0123456789abcdef";
     fs::create_directories(person);
     writeTextFileAtomically(person / "person.toml", "name = \"Anna\"\n");
