@@ -169,7 +169,8 @@ void DesktopApp::runFrame() {
     if (gl::debugBuild() || options_.watchShaders) shaderWatch_.update(shaders_, steps_.thread(), messages_, time);
     const bool captured = session_.running() && controls_.captured();
     // In the list of lessons the program itself takes arrow keys and Enter.
-    const bool byKeyboard = !session_.running() && (!home_.open || home_.attempts.shown() || home_.who.asked() || menus_.panels.settings);
+    const bool byKeyboard =
+        !session_.running() && (!home_.open || home_.attempts.shown() || home_.who.asked() || menus_.panels.settings);
     interface_.begin(sections_.window.interfaceSize, captured, byKeyboard);
     interface_.takeInput(input, captured);
     handleKeys(input);

@@ -144,7 +144,6 @@ TEST_CASE("sentences for trainees and teachers are in the words file", "[house][
         "bar menu",
         "headset panel",
         "help columns",
-        "help shade",
         "machine menu",
         "start menu",
         "status bar",
