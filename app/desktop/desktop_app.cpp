@@ -60,7 +60,7 @@ DesktopApp::DesktopApp(const DesktopOptions& options)
     for (const std::string& fault : home_.faults())
         messages_.warn(fault, clock_.now());
     home_.open = options.lesson.empty();
-    home_.choose(session_.lesson().key);
+    if (!home_.open) home_.choose(session_.lesson().key);
     if (!options.replay.empty())
         lessons_.openAttempt(options.replay, clock_.now(), options.lesson);
     else if (!options.lesson.empty())
