@@ -63,7 +63,6 @@ TEST_CASE("at home N asks who welds: a typed name, the other one by Enter, and a
         window.settle();
         window.xdotool({"type", "--delay", "120", name});
         window.settle();
-        window.takePicture(std::string("who-") + name[0]);
         window.key("Return");
         waitForQuestion(window, false);
         CHECK(namesIn(persons).contains(name));
@@ -84,7 +83,6 @@ TEST_CASE("at home N asks who welds: a typed name, the other one by Enter, and a
         {.settings = kNarrow, .lesson = "", .environment = {{"XDG_DATA_HOME", (window.folder() / "data").string()}}});
     waitForQuestion(again, true);
     again.settle();
-    again.takePicture("who-start");
     again.click("persons.guest");
     waitForQuestion(again, false);
     again.closeWindow();
