@@ -87,7 +87,7 @@ void cueNames(Context& context, std::span<const NamedCue> cues) {
         const ImVec2 words = context.fonts.small->CalcTextSizeA(size, FLT_MAX, 0, name);
         const ImVec2 at{cue.place.x * screen.x - words.x / 2, cue.place.y * screen.y - (cue.above ? words.y : 0)};
         const auto shade = static_cast<int>(190 * std::min(1.0f, cue.opacity / 0.6f));
-        draw->AddRectFilled({at.x - 2, at.y}, {at.x + words.x + 2, at.y + words.y}, IM_COL32(22, 25, 31, shade));
+        fillRounded(*draw, {at.x - 2, at.y}, {at.x + words.x + 2, at.y + words.y}, IM_COL32(22, 25, 31, shade), 0);
         draw->AddText(context.fonts.small, size, at, colour::kText, name);
     }
 }
