@@ -361,6 +361,7 @@ TEST_CASE("pictures with and without cues differ outside the pool's disc only, f
 }
 
 TEST_CASE("a marker lets as much through as its opacity says", "[training]") {
+    test::context();
     const PictureTarget target(32, 32);
     Renderer renderer(test::shaders());
     LookParameters look;
@@ -383,6 +384,7 @@ TEST_CASE("a marker lets as much through as its opacity says", "[training]") {
 }
 
 TEST_CASE("markers drawn over a picture are where its own would be, in a target of another size too", "[training]") {
+    test::context();
     const PictureTarget small(32, 32), large(64, 64);
     Renderer renderer(test::shaders());
     LookParameters look;
