@@ -59,6 +59,12 @@ BandZone TechniqueBand::zone(double value) const {
     return off < outer ? BandZone::between : BandZone::beyond;
 }
 
+bool TechniqueBand::readsBeyond(double value) const {
+    constexpr double kReadDigits = 10;
+    const auto read = [](double number) { return std::round(number * kReadDigits); };
+    return std::abs(value - ideal) > inner && std::abs(read(value) - read(ideal)) > read(inner);
+}
+
 double TechniqueBands::judged(const TechniqueValues& values, int sensed, TechniqueQuantity quantity) const {
     const double value = values[quantity] * quantityInfo(quantity, distance).perSi;
     const int wanted = direction == TravelDirection::forward ? 1 : direction == TravelDirection::backward ? -1 : 0;

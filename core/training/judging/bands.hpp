@@ -28,6 +28,9 @@ struct TechniqueBand {
     /// value has 0.
     double points(double value) const;
     BandZone zone(double value) const;
+    /// True beyond the inner half width, in the digits that a reader sees too (one behind the point): 7.14 with a
+    /// target of 6.5 ± 0.6 reads as 7.1, which is allowed.
+    bool readsBeyond(double value) const;
 };
 
 /// Direction along the seam that a lesson asks for.

@@ -114,7 +114,7 @@ std::string_view caseOf(const ParameterScore& parameter, const TechniqueBand& ba
     if (std::isnan(parameter.mean)) return "unknown";
     const double off = std::abs(parameter.deviation);
     // A mean near the ideal has full points: then the unevenness costs the points.
-    if (off < 0.5 * parameter.spread || off <= band.inner || tellNumber(off) == "0") return "uneven";
+    if (off < 0.5 * parameter.spread || !band.readsBeyond(parameter.mean)) return "uneven";
     const bool tooMuch = parameter.deviation > 0;
     switch (band.quantity) {
     case TechniqueQuantity::travelSpeed:
@@ -137,11 +137,27 @@ std::string_view caseOf(const ParameterScore& parameter, const TechniqueBand& ba
     return tooMuch ? "above" : "below";
 }
 
-std::string sentenceOf(const ParameterScore& parameter, const TechniqueBand& band, const QuantityInfo& info, bool tee) {
+/// True if all of a parameter reads as within its tolerance: a correction would ask for what the reader sees allowed.
+bool readsAllowed(const ParameterScore& parameter, const TechniqueBand& band) {
+    return !std::isnan(parameter.mean) && !band.readsBeyond(parameter.least) && !band.readsBeyond(parameter.most);
+}
+
+} // namespace
+
+ParameterScore scoreStretch(const std::vector<SeamMillimetre>& seam, double from, double to,
+                            const TechniqueBands& bands, const TechniqueBand& band) {
+    std::vector<const SeamMillimetre*> part;
+    for (const SeamMillimetre& mm : seam)
+        if (mm.known && mm.place >= from && mm.place <= to) part.push_back(&mm);
+    return scoreParameter(part, bands, band);
+}
+
+std::string correctionSentence(const ParameterScore& parameter, const TechniqueBand& band,
+                               const TechniqueBands& bands) {
     std::string key = "correction.";
-    key += info.key;
+    key += quantityInfo(parameter.quantity, bands.distance).key;
     key += '.';
-    key += caseOf(parameter, band, tee);
+    key += caseOf(parameter, band, bands.tee);
     return phrase(key, {{"mean", tellNumber(parameter.mean)},
                         {"off", tellNumber(std::abs(parameter.deviation))},
                         {"ideal", tellNumber(band.ideal)},
@@ -149,8 +165,6 @@ std::string sentenceOf(const ParameterScore& parameter, const TechniqueBand& ban
                         {"most", tellNumber(parameter.most)},
                         {"speed", tellNumber(std::abs(parameter.mean))}});
 }
-
-} // namespace
 
 const ParameterScore* TechniqueScore::find(TechniqueQuantity quantity) const {
     const auto found = std::find_if(parameters.begin(), parameters.end(),
@@ -195,9 +209,8 @@ std::vector<Correction> corrections(const TechniqueScore& score, const Technique
                               {{"welded", tellNumber(score.weldedMm)}, {"wanted", tellNumber(score.wantedMm)}})});
     for (const ParameterScore& parameter : score.parameters) {
         const TechniqueBand* band = bands.find(parameter.quantity);
-        if (band == nullptr || parameter.lost < kLeastLoss) continue;
-        const QuantityInfo& info = quantityInfo(parameter.quantity, bands.distance);
-        all.push_back({parameter.quantity, parameter.lost, sentenceOf(parameter, *band, info, bands.tee)});
+        if (band == nullptr || parameter.lost < kLeastLoss || readsAllowed(parameter, *band)) continue;
+        all.push_back({parameter.quantity, parameter.lost, correctionSentence(parameter, *band, bands)});
     }
     std::stable_sort(all.begin(), all.end(), [](const Correction& a, const Correction& b) { return a.lost > b.lost; });
     if (all.size() > most) all.resize(most);

@@ -71,7 +71,16 @@ struct Correction {
     std::string sentence;                      ///< such as "Travel slower: 7.6 mm/s, target 5.5."
 };
 
-/// The corrections, costliest first, at most `most` and none below half a point. Empty if the attempt is not scored.
+/// Means and extremes of a quantity over the judged millimetres from `from` to `to` (m along the seam); NaN if none of
+/// them has a known value.
+ParameterScore scoreStretch(const std::vector<SeamMillimetre>& seam, double from, double to,
+                            const TechniqueBands& bands, const TechniqueBand& band);
+
+/// Sentence that corrects a parameter, such as "Travel slower: 7.6 mm/s, target 5.5."
+std::string correctionSentence(const ParameterScore& parameter, const TechniqueBand& band, const TechniqueBands& bands);
+
+/// The corrections, costliest first, at most `most` and none below half a point, and none for a parameter that stayed
+/// within its tolerance by the digits that its sentence shows. Empty if the attempt is not scored.
 std::vector<Correction> corrections(const TechniqueScore& score, const TechniqueBands& bands, size_t most = 3);
 
 } // namespace meltpool

@@ -400,6 +400,28 @@ TEST_CASE("a demanded direction makes the other way's speed wrong", "[training][
     CHECK_THAT(told[0].sentence, test::containsText("Weld in the other direction: the torch went the wrong way"));
 }
 
+TEST_CASE("a difference that reads as inside the tolerance is never the advice", "[training][technique]") {
+    const TechniqueBands bands = lessonBands();
+    const auto advice = [&](double speed) {
+        return corrections(scoreOf(bentWeld({kSpeed / speed, 0, 0, 0, 0})), bands);
+    };
+    CHECK(advice(6.2).empty()); // inside 5.5 ± 0.8
+    const TechniqueScore over = scoreOf(bentWeld({kSpeed / 6.34, 0, 0, 0, 0}));
+    CHECK(over.find(travelSpeed)->lost > 0.5);
+    CHECK(corrections(over, bands).empty()); // reads as 6.3, which is 5.5 + 0.8
+    REQUIRE(advice(6.5).size() == 1);
+    CHECK(advice(6.5)[0].sentence == "Travel slower: 6.5 mm/s, target 5.5.");
+    CHECK(advice(4.5)[0].sentence == "Travel faster: 4.5 mm/s, target 5.5.");
+
+    const TechniqueBand band{travelSpeed, 6.5, 0.6, 2, 1};
+    CHECK_FALSE(band.readsBeyond(6.7));
+    CHECK_FALSE(band.readsBeyond(7.14));
+    CHECK(band.readsBeyond(7.16));
+    CHECK(band.readsBeyond(5.84));
+    CHECK_FALSE(
+        TechniqueBand{travelSpeed, 6.54, 0.54, 2, 1}.readsBeyond(7.06)); // reads 7.1 and 6.5 ± 0.5, and is inside
+}
+
 TEST_CASE("corrections are the costliest first, three of them, and name unevenness", "[training][technique]") {
     const Technique technique = weldWith(plateSeam(), 84 / kSpeed, [&](double time) {
         Hand hand;
