@@ -46,8 +46,22 @@ void AttemptComparison::begin(const Side& first, const Side& second) {
     if (due_ == 0) compare();
 }
 
+void AttemptComparison::tryChange(const Side& attempt) {
+    Lesson lesson = lessonOfAttempt(attempt.file);
+    requireSame(lesson, lesson, attempt);
+    ChangedAttempt changed(lesson, wish_.first, wish_.second);
+    end();
+    title_ = lesson.title;
+    bands_ = lesson.technique;
+    chosen_ = {attempt, Side{attempt.file, wish_.second}};
+    lessons_ = {lesson, std::move(lesson)};
+    due_ = sides_.size();
+    changed_ = std::move(changed);
+}
+
 void AttemptComparison::end() {
     trainer_.reset();
+    changed_.reset();
     lessons_ = {};
     sides_ = {};
     comparison_.reset();
@@ -72,13 +86,13 @@ void AttemptComparison::update(gl::ShaderLibrary& shaders, double seconds, Stopw
     if (!welding()) return;
     try {
         if (!trainer_) {
-            trainer_ = std::make_unique<Trainer>(shaders, *lessons_[current()]);
+            makeMetal(shaders);
             return pace_.begin(seconds);
         }
         pace_.frame(seconds);
         const double begin = now();
         for (int made = 0; !isOver() && made < pace_.steps() && now() - begin < pace_.slice(); ++made)
-            trainer_->advanceDemonstration(nullptr);
+            makeStep();
         if (isOver()) finishSide();
     } catch (const std::exception& fault) {
         fault_ = fault.what();
@@ -86,14 +100,29 @@ void AttemptComparison::update(gl::ShaderLibrary& shaders, double seconds, Stopw
     }
 }
 
+void AttemptComparison::makeMetal(gl::ShaderLibrary& shaders) {
+    if (changes()) changed_->change(*lessons_[1], sides_[0]->judgement);
+    trainer_ = std::make_unique<Trainer>(shaders, *lessons_[current()]);
+}
+
+void AttemptComparison::makeStep() {
+    if (!changed_)
+        trainer_->advanceDemonstration(nullptr);
+    else if (changes())
+        changed_->stepChanged(*trainer_);
+    else
+        changed_->stepOriginal(*trainer_);
+}
+
 /// Progress of the current attempt, 1 at its end. A recording ends with its last step, a path with its time.
 double AttemptComparison::share() const {
     if (!trainer_) return 0;
     const Lesson& lesson = trainer_->lesson();
-    if (lesson.recorded && lesson.recorded->rows > 0)
+    const double whole = changes() ? changed_->duration() : lesson.torch.duration();
+    if (!changes() && lesson.recorded && lesson.recorded->rows > 0)
         return static_cast<double>(trainer_->steps()) / static_cast<double>(lesson.recorded->rows);
-    const double left = lesson.torch.duration() - trainer_->time();
-    return left <= 0.5 * trainer_->timeStep() ? 1 : trainer_->time() / lesson.torch.duration();
+    const double left = whole - trainer_->time();
+    return left <= 0.5 * trainer_->timeStep() ? 1 : trainer_->time() / whole;
 }
 
 double AttemptComparison::progress() const {
@@ -114,9 +143,10 @@ void AttemptComparison::finishSide() {
                          thisMachine());
     trainer_.reset();
     const size_t number = current();
+    const bool asWelded = !changes();
     lessons_[number].reset();
     sides_[number] = std::make_shared<const ComparedAttempt>(std::move(made));
-    kept_.push_back(sides_[number]);
+    if (asWelded) kept_.push_back(sides_[number]);
     if (kept_.size() > kKept) kept_.erase(kept_.begin());
     ++welded_;
     if (sides_[0] && sides_[1]) compare();
@@ -125,7 +155,10 @@ void AttemptComparison::finishSide() {
 void AttemptComparison::compare() {
     comparison_ = compareAttempts(sides_[0]->figures, sides_[1]->figures);
     rows_ = comparisonRows(sides_[0]->judgement, sides_[1]->judgement, *comparison_);
-    for (size_t i = 0; i < sides_.size(); ++i)
+    const auto &before = sides_[0]->judgement.verdict, &then = sides_[1]->judgement.verdict;
+    if (changed_ && before && then)
+        rows_->words = whatIfOutcome(changed_->words(), failedKeys(*before), failedKeys(*then)) + " " + rows_->words;
+    for (size_t i = 0; i < (changed_ ? 1 : sides_.size()); ++i)
         if (const ReplayEnd& end = sides_[i]->end; end.verdict != ReplayEnd::Verdict::same)
             rows_->notes.push_back(
                 phrase(i == 0 ? "compared.note.first" : "compared.note.second", {{"sentences", end.text}}));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/activities/activity.hpp"
+#include "app/activities/changed_attempt.hpp"
 #include "app/activities/comparison_rows.hpp"
 #include "app/activities/replay_end.hpp"
 #include "app/activities/seek_pace.hpp"
@@ -13,6 +14,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace meltpool {
@@ -40,6 +42,11 @@ class AttemptComparison final : public Activity {
     /// Reads both; welds nothing yet. Throws InputError unless they are two attempts at one weld lesson, and whatever
     /// lessonOfAttempt() throws; the earlier comparison then stays.
     void begin(const Side& first, const Side& second);
+    /// Chooses the change that tryChange() makes: a wish for readWhatIf(), and its words.
+    void choose(std::string wish, std::string words) { wish_ = {std::move(wish), std::move(words)}; }
+    /// Reads the attempt; the second side is this attempt with the chosen change. Both are welded. Throws as begin()
+    /// does, and InputError for a change that does not fit.
+    void tryChange(const Side& attempt);
     /// Frees the metal and clears both; complete results stay stored.
     void end();
 
@@ -81,6 +88,10 @@ class AttemptComparison final : public Activity {
     using SharedAttempt = std::shared_ptr<const ComparedAttempt>;
 
     SharedAttempt known(const std::filesystem::path& file, std::uintmax_t bytes) const;
+    void makeMetal(gl::ShaderLibrary& shaders);
+    void makeStep();
+    /// True while the attempt is welded with the change.
+    bool changes() const { return changed_.has_value() && current() == 1; }
     double share() const;
     bool isOver() const { return share() >= 1; }
     void finishSide();
@@ -89,6 +100,8 @@ class AttemptComparison final : public Activity {
     std::string title_;
     std::optional<TechniqueBands> bands_;
     std::array<Side, 2> chosen_;
+    std::pair<std::string, std::string> wish_;     ///< chosen change, and its words
+    std::optional<ChangedAttempt> changed_;        ///< the second side is the first one with a change
     std::array<std::optional<Lesson>, 2> lessons_; ///< lessons of the attempts still to be welded
     std::array<SharedAttempt, 2> sides_;
     size_t due_ = 0; ///< count of attempts that had to be welded for this comparison

@@ -203,6 +203,14 @@ void addVerdict(JudgementRows& rows, const Judgement& judgement) {
         rows.judged.rows.push_back(verdictRow(item));
 }
 
+void addCures(JudgementRows& rows, const Judgement& judgement) {
+    for (const Cure& cure : judgement.cures) {
+        const bool known = std::any_of(rows.cures.begin(), rows.cures.end(),
+                                       [&](const CureRow& above) { return above.whatIf == cure.whatIf; });
+        rows.cures.push_back(known ? CureRow{cure.sentence, {}, {}} : CureRow{cure.sentence, cure.whatIf, cure.change});
+    }
+}
+
 using Member = WeldStation::Value WeldStation::*;
 
 /// Figures for a trainee, in this order.
@@ -284,6 +292,7 @@ JudgementRows judgementRows(const Judgement& judgement, const TechniqueBands* ba
     for (const Correction& correction : judgement.corrections)
         rows.corrections.push_back(correction.sentence);
     addVerdict(rows, judgement);
+    addCures(rows, judgement);
     addMeasures(rows, judgement);
     return rows;
 }

@@ -30,6 +30,13 @@ struct JudgementSection {
     std::vector<JudgementRow> rows;
 };
 
+/// A likely cause with its remedy.
+struct CureRow {
+    std::string sentence;
+    std::string whatIf; ///< wish that tries it; empty: none, or a row above has it
+    std::string change; ///< that wish in words
+};
+
 struct JudgementRows {
     std::string score;       ///< "Score 84 of 100", or a text that there is none
     std::string scoreNote;   ///< reason for a missing score, or the welded share of the seam
@@ -37,6 +44,7 @@ struct JudgementRows {
     std::string verdictNote; ///< failures; empty if there are none
     RowState verdictState = RowState::plain;
     std::vector<std::string> corrections;           ///< sentences, costliest first
+    std::vector<CureRow> cures;                     ///< one for each imperfection that fails
     JudgementSection technique{"hand", {}, {}, {}}; ///< one row per parameter, in the lesson's order
     JudgementSection judged{
         "standard", {}, {}, {}}; ///< one row per imperfection: failed, not resolved, estimated, passed

@@ -9,6 +9,7 @@
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "core/base/words.hpp"
+#include "core/training/judging/cures.hpp"
 #include "core/training/lesson/changed_path.hpp"
 #include "core/training/lesson/lesson.hpp"
 
@@ -111,6 +112,22 @@ void weldChanged(AttemptWelder& welder, Lesson lesson, const std::vector<Attempt
     welder.weld(lesson, folder, hooks);
 }
 
+/// Keys of the imperfections that fail in a run; nothing for a run without a verdict.
+std::optional<std::vector<std::string>> failedIn(const RunResults& run) {
+    const auto verdict = run.result.find("verdict");
+    if (verdict == run.result.end() || !verdict->is_object() || !verdict->contains("items")) return std::nullopt;
+    std::vector<std::string> keys;
+    for (const auto& item : verdict->at("items"))
+        if (item.value("state", "") == nameOf(VerdictState::fail)) keys.push_back(item.value("name", ""));
+    return keys;
+}
+
+/// Prints the imperfections that pass only with the change, and those that fail in spite of it or only with it.
+void tellOutcome(const WhatIf& whatIf, const RunResults& original, const RunResults& changed) {
+    const auto failed = failedIn(original), failedThen = failedIn(changed);
+    if (failed && failedThen) say("%s\n", whatIfOutcome(whatIf.text(), *failed, *failedThen).c_str());
+}
+
 void replayChanged(const ReplayRequest& request, const Lesson& lesson) {
     WhatIf whatIf = readWhatIf(request.whatIf, lesson);
     RunFolder original(request.folder / "original", lessonSources(lesson));
@@ -123,6 +140,7 @@ void replayChanged(const ReplayRequest& request, const Lesson& lesson) {
     weldChanged(welder, lesson, steps, whatIf, changed, hooks);
     const ComparedRun second{phrase("run.replay.what_if", {{"changes", whatIf.text()}}),
                              readRunResults(changed.path())};
+    tellOutcome(whatIf, first.results, second.results);
     tellComparison(first, second, request.folder, request.page);
 }
 

@@ -39,6 +39,7 @@ std::span<const DesktopAction> desktopActions() {
          always,
          [](App& app) { app.lessons_.writePage(app.driver_, app.clock_.now()); }},
         {"pause", Request::pause, {}, always, [](App& app) { app.togglePause(); }},
+        {"try the remedy", Request::tryCure, {}, always, [](App& app) { app.tryCure(); }},
         {"redo", Request::redo, Key::backspace, always, [](App& app) { app.session_.redo(app.controls_); }},
         {"cut", Request::cut, Key::x, always, [](App& app) { app.cut(); }},
         {"back", Request::none, Key::escape, always, [](App& app) { app.goBack(); }},
@@ -89,6 +90,11 @@ void DesktopApp::switchDeskView() {
 
 void DesktopApp::goHome() {
     lessons_.goHome();
+    menus_.panels.help = menus_.panels.result = false;
+}
+
+void DesktopApp::tryCure() {
+    lessons_.tryCure(clock_.now());
     menus_.panels.help = menus_.panels.result = false;
 }
 

@@ -58,6 +58,7 @@ class DesktopApp {
     void goHome();
     void goBack();
     void openNext();
+    void tryCure();
     void startWithDefaults();
     void replay();
     void weldBeside();

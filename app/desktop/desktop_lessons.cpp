@@ -129,6 +129,23 @@ void DesktopLessons::compare(double now) {
     }
 }
 
+void DesktopLessons::tryCure(double now) {
+    RecordingKeeper& recordings = session_.log().recordings();
+    if (recordings.current() == nullptr) return;
+    const std::filesystem::path file = recordings.file();
+    goHome();
+    recordings.finish(); // the file is read now
+    home_.attempts.show();
+    AttemptComparison::Side attempt{file, {}};
+    for (const ReplayEntry& each : home_.attempts.entries())
+        if (each.file == file) attempt.detail = each.detail;
+    try {
+        session_.compare(attempt);
+    } catch (const std::exception& fault) {
+        messages_.warn(phrase("desk.message.not_tried", {{"reason", fault.what()}}), now, "start");
+    }
+}
+
 void DesktopLessons::keepScore(double zoom, double now) {
     zoom_ = zoom;
     const CataloguedLesson* lesson = home_.find(session_.lesson());

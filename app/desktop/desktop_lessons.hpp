@@ -43,6 +43,10 @@ class DesktopLessons {
     /// Compares the two attempts marked in their list; if it cannot, a message says why.
     void compare(double now);
 
+    /// Ends the judged attempt and compares it with itself under the chosen remedy, in the list of attempts; if it
+    /// cannot, a message says why.
+    void tryCure(double now);
+
     /// Saves the judged attempt's score if it is the lesson's best. `zoom`: zoom at which the workpiece was shown.
     void keepScore(double zoom, double now);
     /// Writes the judged attempt's page, reports its file, and shows it if the desktop can. `driver`: name of the

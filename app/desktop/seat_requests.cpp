@@ -18,8 +18,9 @@ struct ToldRequest {
     bool ends;                             ///< ends the running attempt, or a part of it
 };
 
-constexpr std::array<ToldRequest, 11> kTold{{
+constexpr std::array<ToldRequest, 12> kTold{{
     {MenuRequest::home, "home", {"seat.desk.home", "seat.headset.home"}, true},
+    {MenuRequest::tryCure, "home", {"seat.desk.home", "seat.headset.home"}, true},
     {MenuRequest::openLesson, "open_lesson", {"seat.desk.open", "seat.headset.open"}, true},
     {MenuRequest::next, "next_lesson", {"seat.desk.open", "seat.headset.open"}, true},
     {MenuRequest::start, "start", {"seat.desk.start", "seat.headset.start"}, true},

@@ -112,7 +112,11 @@ json frameCosts(const FrameMeter& meter, bool counted) {
 /// First lines of the result panel; null without a judgement.
 json judgement(const std::optional<JudgedAttempt>& judged) {
     if (!judged) return nullptr;
+    json cures = json::array();
+    for (const CureRow& cure : judged->rows.cures)
+        cures.push_back(cure.sentence);
     return {{"time", judged->time},
+            {"cures", cures},
             {"score", judged->rows.score},
             {"note", judged->rows.scoreNote},
             {"verdict", judged->rows.verdict},

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace meltpool {
@@ -108,6 +109,23 @@ std::string itemRow(const LetteredItem& each) {
            "</td><td class=\"" + textIn(item, "state") + "\">" + stateText(item) + "</td></tr>\n";
 }
 
+/// List of likely causes and remedies, with the command that tries a remedy where it appears first; empty if no item
+/// has one.
+std::string curesOf(const std::vector<LetteredItem>& items) {
+    std::string html;
+    std::set<std::string> tried;
+    for (const LetteredItem& each : items) {
+        const std::string cure = textIn(*each.item, "cure"), wish = textIn(*each.item, "try");
+        if (cure.empty()) continue;
+        html += "<li>" + cure;
+        if (!wish.empty() && tried.insert(wish).second)
+            html += " <span class=\"quiet\">" + phrase("page.verdict.try", {{"what_if", wish}}) + "</span>";
+        html += "</li>\n";
+    }
+    if (html.empty()) return html;
+    return "<p><b>" + phrase("cure.heading") + "</b></p>\n<ol>\n" + html + "</ol>\n";
+}
+
 } // namespace
 
 std::string verdictPart(const RunResults& results) {
@@ -126,7 +144,7 @@ std::string verdictPart(const RunResults& results) {
                                                        {"verdict", word}}) +
                        "</h2>\n";
     const std::vector<LetteredItem> items = lettered(partIn(verdict, "items"));
-    html += stripOf(results, items);
+    html += curesOf(items) + stripOf(results, items);
     html += "<table><thead><tr><th></th>" +
             headCells({"page.verdict.column.imperfection", "page.verdict.column.value", "page.verdict.column.limit",
                        "page.verdict.column.where", "page.verdict.column.verdict"}) +

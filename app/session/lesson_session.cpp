@@ -123,7 +123,10 @@ void LessonSession::openReplay(Lesson attempt, Controls& controls) {
 
 void LessonSession::compare(const AttemptComparison::Side& first, const AttemptComparison::Side& second) {
     if (running()) end("two attempts are compared");
-    activities_.comparison.begin(first, second);
+    if (second.file.empty())
+        activities_.comparison.tryChange(first);
+    else
+        activities_.comparison.begin(first, second);
     activities_.turnTo(activities_.comparison);
 }
 

@@ -47,9 +47,10 @@ class LessonSession {
     /// Makes the metal of a stored attempt, see lessonOfAttempt(), and plays it. A replay has no record and is not
     /// judged; the menus' values do not affect it. reset() ends it and begins an attempt. Throws as begin() does.
     void openReplay(Lesson attempt, Controls& controls);
-    /// Compares two stored attempts, see AttemptComparison::begin(), whose metal advance() makes and steps. A running
-    /// lesson ends.
-    void compare(const AttemptComparison::Side& first, const AttemptComparison::Side& second);
+    /// Compares two stored attempts, see AttemptComparison::begin(), whose metal advance() makes and steps. Without a
+    /// second one the first is compared with itself under the chosen change, see AttemptComparison::tryChange(). A
+    /// running lesson ends.
+    void compare(const AttemptComparison::Side& first, const AttemptComparison::Side& second = {});
     /// Puts metal and source back to their start: another attempt. Compiles no shader.
     void reset(Controls& controls);
     /// Ends the lesson and frees the metal. `reason` is written to the attempt's record.

@@ -44,10 +44,11 @@ enum class MenuRequest {
     reset,             ///< another attempt
     restart,           ///< back to the lesson's first page
     judge,
-    pause, ///< the lesson, or go on with it
-    page,  ///< the judged attempt's page, written as a file
-    redo,  ///< back to before the chosen fault, or some seconds
-    cut    ///< the weld open, or closed again
+    pause,   ///< the lesson, or go on with it
+    page,    ///< the judged attempt's page, written as a file
+    tryCure, ///< the judged attempt again, with the chosen remedy
+    redo,    ///< back to before the chosen fault, or some seconds
+    cut      ///< the weld open, or closed again
 };
 
 } // namespace meltpool

@@ -69,6 +69,9 @@ float resultReach(const Context& context);
 MenuRequest resultPanel(Context& context, LessonSession& session, const Home& home, bool fromTop);
 /// Draws score and verdict of the judged attempt inside the current window.
 void resultHead(Context& context, const LessonSession& session, const Home& home);
+/// Draws a likely cause and remedy for each imperfection that fails, inside the current window. `tries`: with a button
+/// for each that a what-if can try. Returns the pressed one. Allocates nothing.
+std::optional<size_t> curesPart(Context& context, std::span<const CureRow> cures, bool tries);
 /// Surroundings of the result: the panel draws resultHead() and the way home itself.
 enum class ResultPlace { window, panel };
 /// Draws the buttons of the judged attempt and all of its values inside the current window.

@@ -94,10 +94,20 @@ MenuRequest drawCorrections(Context& context, LessonSession& session) {
     return request;
 }
 
+/// Draws the cures of the judged attempt; a chosen one is tried on its recording.
+MenuRequest drawCures(Context& context, LessonSession& session) {
+    const std::vector<CureRow>& cures = session.attempt().judged()->rows.cures;
+    const auto chosen = curesPart(context, cures, session.log().recordings().current() != nullptr);
+    if (!chosen) return MenuRequest::none;
+    session.activities().comparison.choose(cures[*chosen].whatIf, cures[*chosen].change);
+    return MenuRequest::tryCure;
+}
+
 MenuRequest drawJudgement(Context& context, LessonSession& session, const TechniqueBands* bands) {
     const JudgedAttempt& attempt = *session.attempt().judged();
     const JudgementRows& rows = attempt.rows;
-    const MenuRequest request = drawCorrections(context, session);
+    const MenuRequest tried = drawCures(context, session), corrected = drawCorrections(context, session);
+    const MenuRequest request = tried != MenuRequest::none ? tried : corrected;
     for (const JudgementSection* section : {&rows.technique, &rows.judged, &rows.measured})
         if (!section->rows.empty() || section->note != rows.scoreNote) drawSection(context, *section);
     if (attempt.bend) bendPart(context, *attempt.bend);
@@ -121,6 +131,26 @@ std::string bestText(const LessonSession& session, const Home& home) {
 }
 
 } // namespace
+
+std::optional<size_t> curesPart(Context& context, std::span<const CureRow> cures, bool tries) {
+    std::optional<size_t> chosen;
+    if (cures.empty()) return chosen;
+    ImGui::Dummy({0, context.points(4)});
+    strongText(context, phrase("cure.heading"));
+    for (size_t i = 0; i < cures.size(); ++i) {
+        ImGui::Bullet();
+        ImGui::SameLine();
+        wrapped(cures[i].sentence);
+        ShortText name{"result.cure.", PhraseNumber(static_cast<double>(i + 1))};
+        markItem(context, name);
+        if (!tries || cures[i].whatIf.empty()) continue;
+        name += ".try";
+        ShortText note;
+        appendPhrase(note, "cure.try_tooltip", {{"change", cures[i].change}});
+        if (button(context, name, phrase("cure.try").c_str(), ButtonKind::plain, 190, note.c_str())) chosen = i;
+    }
+    return chosen;
+}
 
 float resultReach(const Context& context) {
     return context.points(kResultWidth + 10);

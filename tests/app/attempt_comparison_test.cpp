@@ -88,6 +88,41 @@ TEST_CASE("two attempts are welded again in shares of frames, held against each 
     CHECK_FALSE(comparison.rows());
 }
 
+TEST_CASE("an attempt is tried with a change, and the outcome is told", "[app]") {
+    const fs::path folder = test::scratchFolder("window-what-if");
+    const fs::path one = recordedBead(folder, "one.csv", 8);
+    AttemptComparison comparison;
+    comparison.choose("wire_feed_m_min=3.6", "wire feed 3.6 m/min instead of 4.5");
+    comparison.tryChange({one, "one"});
+    REQUIRE(comparison.welding());
+    CHECK(comparison.side(1).detail == "wire feed 3.6 m/min instead of 4.5");
+    untilBoth(comparison);
+    INFO(comparison.fault());
+    REQUIRE(comparison.rows());
+    CHECK(comparison.attempt(0)->end.verdict == ReplayEnd::Verdict::same);
+    CHECK(meanOf(comparison, 1, "mean_current_a") < meanOf(comparison, 0, "mean_current_a") - 5);
+    CHECK_THAT(comparison.rows()->words, test::containsText("With wire feed 3.6 m/min instead of 4.5 "));
+    CHECK(comparison.welded() == 2);
+
+    comparison.choose("speed=5mm/s", "travel speed 5 mm/s instead of 8");
+    comparison.tryChange({one, "one"});
+    untilBoth(comparison);
+    INFO(comparison.fault());
+    REQUIRE(comparison.rows());
+    CHECK(meanOf(comparison, 1, "travel_speed") == Approx(5).margin(0.3));
+
+    // The changed weld is not taken for the attempt itself.
+    const fs::path two = recordedBead(folder, "two.csv", 6);
+    comparison.begin({one, "one"}, {two, "two"});
+    untilBoth(comparison);
+    CHECK(meanOf(comparison, 0, "travel_speed") == Approx(8).margin(0.3));
+    CHECK_THAT(comparison.rows()->words, !test::containsText("instead of"));
+
+    comparison.choose("colour=red", "red");
+    CHECK_THROWS_AS(comparison.tryChange({one, "one"}), InputError);
+    CHECK(comparison.rows()); // the earlier comparison stays
+}
+
 TEST_CASE("what is no pair of welds of a lesson is refused, and ending frees the metal", "[app]") {
     const fs::path folder = test::scratchFolder("window-comparison-faults");
     const fs::path one = recordedBead(folder, "one.csv", 8);
@@ -135,6 +170,9 @@ TEST_CASE("a person who compares two attempts is in no lesson, and the session m
     session.begin(controls);
     CHECK(activities.at(activities.attempt));
     CHECK_FALSE(comparison.rows());
+    activities.comparison.choose("wire_feed_m_min=3.6", "wire feed 3.6 m/min instead of 4.5");
+    session.compare({one, "one"}); // the comparison ends the lesson; it tries the chosen change
+    CHECK(comparison.side(1).detail == "wire feed 3.6 m/min instead of 4.5");
     session.compare({one, "one"}, {two, "two"}); // the comparison ends the lesson
     CHECK_FALSE(session.running());
     CHECK(session.run().trainer() == nullptr);

@@ -162,3 +162,20 @@ TEST_CASE("a lesson without bands and acceptance says so and shows the measured 
     CHECK(empty.verdict == "No weld to judge");
     CHECK(empty.measured.rows.empty());
 }
+
+TEST_CASE("each cure is a row, and what several share is tried once", "[app]") {
+    Judgement judgement;
+    judgement.weld = fillet();
+    judgement.verdict = refused();
+    judgement.cures = {{"overlap", "Overlap: set the voltage.", "voltage=20", "voltage 20 V instead of 17"},
+                       {"toe_angle", "Toe angle: set the voltage.", "voltage=20", "voltage 20 V instead of 17"},
+                       {"undercut", "Undercut: aim lower."}};
+    const JudgementRows rows = judgementRows(judgement, nullptr);
+    REQUIRE(rows.cures.size() == 3);
+    CHECK(rows.cures[0].sentence == "Overlap: set the voltage.");
+    CHECK(rows.cures[0].whatIf == "voltage=20");
+    CHECK(rows.cures[0].change == "voltage 20 V instead of 17");
+    CHECK(rows.cures[1].sentence == "Toe angle: set the voltage.");
+    CHECK(rows.cures[1].whatIf.empty());
+    CHECK(rows.cures[2].whatIf.empty());
+}

@@ -61,6 +61,14 @@ class Tee {
     fs::path folder_;
 };
 
+/// Returns the item of the verdict with this name.
+Json itemOf(const Json& result, const std::string& name) {
+    for (const Json& item : result.at("verdict").at("items"))
+        if (item.at("name") == name) return item;
+    FAIL("no item " << name);
+    return {};
+}
+
 double weldOf(const Json& result, const char* key) {
     INFO(key);
     REQUIRE(result.at("weld").at(key).is_number());
@@ -117,4 +125,28 @@ TEST_CASE("one thing changed on the tee lesson changes the fillet as physics has
     CHECK(legOf(more) > legOf(own));
     CHECK(weldOf(more, "throat_mm") > weldOf(own, "throat_mm"));
     CHECK(weldOf(more, "penetration_mm") > weldOf(own, "penetration_mm") - kResolved / 2);
+}
+
+TEST_CASE("a cold fillet of a right hand is told the lesson's voltage, and with it the weld is accepted",
+          "[app][attempts][long]") {
+    const fs::path folder = keptFolder() / "cold";
+    const test::Outcome run =
+        runMeltpool("run tee-fillet --set voltage=20 --pictures 0 --size 480x270 --out" + quoted(folder / "attempt"));
+    INFO(run.errors);
+    REQUIRE(run.code == 0);
+    const Json cold = Json::parse(readTextFile(folder / "attempt" / "result.json"));
+    CHECK(cold.at("verdict").at("accepted") == false);
+    for (const char* name : {"overlap", "toe_angle"}) {
+        INFO(name);
+        REQUIRE(itemOf(cold, name).at("state") == "fail");
+        CHECK_THAT(itemOf(cold, name).at("cure").get<std::string>(),
+                   test::containsText("Set the voltage to 29.5 V as in the lesson: it was 20."));
+        CHECK(itemOf(cold, name).at("try") == "voltage=29.5");
+    }
+    const test::Outcome tried =
+        runMeltpool("replay" + quoted(folder / "attempt" / "telemetry.csv") +
+                    "--what-if voltage=29.5 --no-page --pictures 0 --size 480x270 --out" + quoted(folder / "tried"));
+    INFO(tried.errors);
+    REQUIRE(tried.code == 0);
+    CHECK_THAT(tried.output, test::containsText("With voltage=29.5 the weld would have been accepted: "));
 }

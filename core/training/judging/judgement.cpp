@@ -33,14 +33,17 @@ Judgement judgeAttempt(const Technique& technique, std::optional<WeldMeasures> w
     Judgement made;
     made.distance = technique.settings().distance;
     made.seam = alongSeam(technique);
-    if (rules.technique) {
-        made.score = scoreTechnique(technique.faults(), made.seam, unknownPlaces(technique), *rules.technique);
-        made.corrections = corrections(*made.score, *rules.technique);
+    const std::vector<double> unknown = unknownPlaces(technique);
+    const TechniqueBands* bands = rules.technique ? &*rules.technique : nullptr;
+    if (bands != nullptr) {
+        made.score = scoreTechnique(technique.faults(), made.seam, unknown, *bands);
+        made.corrections = corrections(*made.score, *bands);
     }
     made.weld = std::move(weld);
-    if (rules.acceptance && made.weld)
-        made.verdict = judge(*made.weld, *rules.acceptance, rules.nominal,
-                             estimateImperfections(made.seam, rules.process, askedSpeed(rules.technique)));
+    if (!rules.acceptance || !made.weld) return made;
+    made.verdict = judge(*made.weld, *rules.acceptance, rules.nominal,
+                         estimateImperfections(made.seam, rules.process, askedSpeed(rules.technique)));
+    made.cures = curesOf(*made.verdict, {made.seam, traitsOf(rules.process), bands, rules.settings, unknown});
     return made;
 }
 

@@ -1,6 +1,7 @@
 // Judges an attempt: the hand by the lesson's bands, the weld by the acceptance's limits.
 #pragma once
 
+#include "core/training/judging/cures.hpp"
 #include "core/training/judging/score.hpp"
 #include "core/training/judging/verdict.hpp"
 #include "core/weld/process/processes.hpp"
@@ -16,6 +17,7 @@ struct JudgementRules {
     const std::optional<Acceptance>& acceptance;
     NominalWeld nominal;
     const ProcessSettings& process;
+    std::vector<SettingFact> settings = {}; ///< settings of machine and workpiece
 };
 
 /// Account of an attempt's arc, over the time that it burned.
@@ -41,6 +43,7 @@ struct Judgement {
     std::vector<Correction> corrections;        ///< corrections, the costliest first
     std::optional<WeldMeasures> weld;           ///< set if there is a weld to measure
     std::optional<Verdict> verdict;             ///< set if the lesson has an acceptance and there is a weld to measure
+    std::vector<Cure> cures;                    ///< one for each imperfection that fails
 };
 
 /// Measures the hand in a weld lesson of this workpiece and process, with the lesson's bands if it has some.

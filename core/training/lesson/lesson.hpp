@@ -7,6 +7,7 @@
 #include "core/surface/surface_parameters.hpp"
 #include "core/training/feedback/cues.hpp"
 #include "core/training/judging/bands.hpp"
+#include "core/training/judging/cures.hpp"
 #include "core/training/judging/verdict.hpp"
 #include "core/training/lesson/recorded_attempt.hpp"
 #include "core/weld/process/processes.hpp"
@@ -72,6 +73,12 @@ struct ChosenSetting {
     std::optional<double> start = {};
 };
 
+/// Values of a lesson's file that a person or a record may change.
+struct OwnValues {
+    WorkpieceParameters workpiece;
+    ProcessSettings process;
+};
+
 struct Lesson {
     std::string key;            ///< name in the catalogue; outside it the file's name without ".toml"
     std::string title;          ///< one line for lists
@@ -95,6 +102,7 @@ struct Lesson {
     /// Weld: the settings that the trainee chooses. `process` holds the lesson's own values of them, which its
     /// demonstration uses. All other settings are given.
     std::vector<ChosenSetting> choose;
+    std::optional<OwnValues> own; ///< weld: values of the file; empty for a lesson without a file
     SurfaceParameters surface;
     CameraParameters camera;
     LookParameters look;
@@ -120,6 +128,9 @@ struct Lesson {
     void takeStartSettings();
     /// Settings that the trainee must still set before the weld, a sentence; empty if all are within the limits.
     std::string unsetSettings();
+    /// Numeric settings of machine and workpiece as they are and as the file has them. A given setting may differ by a
+    /// fiftieth, a chosen one within its limits.
+    std::vector<SettingFact> settingFacts() const;
     /// Present values of the chosen settings: "voltage 22 V, wire feed 4.5 m/min"; empty without chosen settings.
     std::string chosenText();
 

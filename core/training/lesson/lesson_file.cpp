@@ -225,6 +225,7 @@ Lesson readLesson(const std::filesystem::path& file) {
         readWorkpiece(root, lesson.workpiece);
         readProcess(root, lesson.process);
         readChoose(root, lesson);
+        lesson.own = {lesson.workpiece, lesson.process};
         readTechnique(root, lesson);
         readAcceptanceOf(root, lesson);
         readCues(root, lesson);

@@ -7,6 +7,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <utility>
+#include <variant>
 
 namespace meltpool {
 
@@ -29,6 +32,27 @@ std::string lowerFirst(std::string_view label) {
 std::string labelWithin(std::string_view process, const Parameter& setting) {
     const std::string_view label = translatedLabel(process, setting);
     return label == setting.label ? lowerFirst(label) : std::string(label);
+}
+
+constexpr double kAsGiven = 0.02; ///< share by which a given setting may differ
+
+/// Adds the numeric parameters of one list; `own`: that list with the values of the file.
+void addFacts(std::vector<SettingFact>& facts, const ParameterList& now, const ParameterList& own,
+              std::string_view words, bool ofMachine) {
+    for (const Parameter& each : now) {
+        const auto* number = std::get_if<float*>(&each.value);
+        if (number == nullptr) continue;
+        SettingFact fact{std::string(each.key), labelWithin(words, each), std::string(each.unit)};
+        fact.value = fact.asked = static_cast<double>(**number);
+        if (const Parameter* given = findParameter(own, each.key))
+            if (const auto* asked = std::get_if<float*>(&given->value)) fact.asked = static_cast<double>(**asked);
+        fact.least = fact.asked - kAsGiven * std::abs(fact.asked);
+        fact.most = fact.asked + kAsGiven * std::abs(fact.asked);
+        fact.lowest = each.minimum;
+        fact.highest = each.maximum;
+        fact.ofMachine = ofMachine;
+        facts.push_back(std::move(fact));
+    }
 }
 
 } // namespace
@@ -114,6 +138,23 @@ std::string Lesson::unsetSettings() {
                                                   {"value", withDecimalMark(parameterText(*parameter))}});
     }
     return told.empty() ? told : phrase("cue.settings.unset", {{"settings", told}});
+}
+
+std::vector<SettingFact> Lesson::settingFacts() const {
+    std::vector<SettingFact> facts;
+    if (model != LessonModel::Weld) return facts;
+    OwnValues now{workpiece, process}, given = own.value_or(now);
+    const bool comparable = given.process.kind == process.kind; // settings of another process have other meanings
+    addFacts(facts, describe(now.process), comparable ? describe(given.process) : describe(now.process),
+             traitsOf(process).name, true);
+    addFacts(facts, describe(now.workpiece), describe(given.workpiece), "start", false);
+    for (SettingFact& fact : facts)
+        for (const ChosenSetting& each : choose)
+            if (fact.ofMachine && fact.key == each.key) {
+                fact.least = fact.lowest = each.from;
+                fact.most = fact.highest = each.to;
+            }
+    return facts;
 }
 
 std::string Lesson::chosenText() {

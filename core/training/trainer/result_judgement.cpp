@@ -81,7 +81,16 @@ Json stretchesOf(const std::vector<FaceStretch>& stretches) {
     return json;
 }
 
-Json verdictOf(const Verdict& verdict) {
+/// Adds likely cause and remedy to an item that has them, and the wish that tries the remedy.
+void addCure(Json& entry, const std::string& imperfection, const std::vector<Cure>& cures) {
+    for (const Cure& each : cures) {
+        if (each.imperfection != imperfection) continue;
+        entry["cure"] = each.sentence;
+        if (!each.whatIf.empty()) entry["try"] = each.whatIf;
+    }
+}
+
+Json verdictOf(const Verdict& verdict, const std::vector<Cure>& cures) {
     Json json{{"standard", verdict.standard},
               {"edition", verdict.edition},
               {"level", verdict.level},
@@ -99,6 +108,7 @@ Json verdictOf(const Verdict& verdict) {
         if (item.place) entry["at_mm"] = jsonNumber(millimetres(*item.place));
         if (!item.failing.empty()) entry["stretches_mm"] = stretchesOf(item.failing);
         if (item.state == VerdictState::estimated) entry["rule"] = item.rule;
+        if (item.state == VerdictState::fail) addCure(entry, item.name, cures);
         json["items"].push_back(std::move(entry));
     }
     return json;
@@ -147,7 +157,7 @@ Json jsonNumber(double value) {
 void addJudgement(Json& json, const Judgement& judgement, const Lesson& lesson) {
     if (judgement.score) json["score"] = scoreOf(judgement, lesson.technique ? &*lesson.technique : nullptr);
     if (judgement.arc.seconds > 0) json["arc"] = arcOf(judgement, lesson.process);
-    if (judgement.verdict) json["verdict"] = verdictOf(*judgement.verdict);
+    if (judgement.verdict) json["verdict"] = verdictOf(*judgement.verdict, judgement.cures);
     if (judgement.weld) json["weld"] = weldOf(*judgement.weld);
 }
 

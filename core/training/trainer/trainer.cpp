@@ -157,9 +157,9 @@ Judgement Trainer::judge() const {
     StationSettings stations;
     if (const auto& bands = lesson_.technique)
         stations.seam = FaceStretch{bands->lengthFromMm * 1e-3, bands->lengthToMm * 1e-3};
-    Judgement judgement =
-        judgeAttempt(*technique_, metal_.run([&](MetalModel& metal) { return metal.measureWeld(stations); }),
-                     {lesson_.technique, lesson_.acceptance, lesson_.nominalWeld(), lesson_.process});
+    Judgement judgement = judgeAttempt(
+        *technique_, metal_.run([&](MetalModel& metal) { return metal.measureWeld(stations); }),
+        {lesson_.technique, lesson_.acceptance, lesson_.nominalWeld(), lesson_.process, lesson_.settingFacts()});
     judgement.arc = account_;
     judgement.realTime = recorder_.realTime();
     return judgement;

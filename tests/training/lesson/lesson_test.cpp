@@ -285,3 +285,32 @@ TEST_CASE("damaged lessons are refused with their file or give values in range",
     CHECK(taken > 10);
     CHECK(taken < 990);
 }
+
+TEST_CASE("a lesson knows which settings are its own, and how far they may be from those", "[training]") {
+    Lesson lesson = findLesson("gmaw-bead", shippedLessons());
+    const auto fact = [&](std::string_view key) {
+        const std::vector<SettingFact> facts = lesson.settingFacts();
+        const auto found = std::find_if(facts.begin(), facts.end(), [&](const SettingFact& f) { return f.key == key; });
+        REQUIRE(found != facts.end());
+        return *found;
+    };
+    lesson.set("voltage", "20.5", "test");
+    lesson.set("stick_out_mm", "20", "test");
+    lesson.set("thickness_mm", "4", "test");
+    const SettingFact volts = fact("voltage");
+    CHECK(volts.name == "voltage");
+    CHECK(volts.unit == "V");
+    CHECK((volts.value == 20.5 && volts.asked == 23 && volts.ofMachine));
+    CHECK((volts.least == 20 && volts.most == 26)); // the trainee's choice
+    CHECK((volts.lowest == 20 && volts.highest == 26));
+    const SettingFact given = fact("stick_out_mm");
+    CHECK((given.value == 20 && given.asked == 12));
+    CHECK(given.most == Approx(12.24));
+    const SettingFact plate = fact("thickness_mm");
+    CHECK((plate.value == 4 && plate.asked == 6 && !plate.ofMachine));
+    lesson.set("process", "gtaw", "test"); // its settings mean something else
+    CHECK(fact("current").value == fact("current").asked);
+    lesson.own.reset();
+    CHECK(fact("thickness_mm").asked == 4);
+    CHECK(findLesson("classic", shippedLessons()).settingFacts().empty());
+}
