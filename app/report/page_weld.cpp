@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace meltpool {
@@ -108,14 +109,16 @@ std::string itemRow(const LetteredItem& each) {
            "</td><td class=\"" + textIn(item, "state") + "\">" + stateText(item) + "</td></tr>\n";
 }
 
-/// List of likely causes and remedies; empty if no item has one.
+/// List of likely causes and remedies, with the command that tries a remedy where it appears first; empty if no item
+/// has one.
 std::string curesOf(const std::vector<LetteredItem>& items) {
     std::string html;
+    std::set<std::string> tried;
     for (const LetteredItem& each : items) {
         const std::string cure = textIn(*each.item, "cure"), wish = textIn(*each.item, "try");
         if (cure.empty()) continue;
         html += "<li>" + cure;
-        if (!wish.empty())
+        if (!wish.empty() && tried.insert(wish).second)
             html += " <span class=\"quiet\">" + phrase("page.verdict.try", {{"what_if", wish}}) + "</span>";
         html += "</li>\n";
     }

@@ -206,11 +206,14 @@ TEST_CASE("the page names likely cause and remedy of what fails, and the command
         writtenRun("report-cures", R"({"lesson": "tee", "finished": true, "verdict": {"standard": "ISO 5817", "items": [
   {"name": "overlap", "unit": "mm", "value": 1, "state": "fail", "at_mm": 1, "cure": "Overlap: <set> the voltage.",
    "try": "voltage=20"},
+  {"name": "toe_angle", "unit": "deg", "value": 90, "state": "fail", "cure": "Toe angle: the same.", "try": "voltage=20"},
   {"name": "undercut", "unit": "mm", "value": 1, "state": "fail", "at_mm": 2, "cure": "Undercut: aim lower."}]}})")));
     CHECK(firstUnclosed(html) == "");
     for (const char* text : {"Why it failed, and what to try", "<li>Overlap: &lt;set&gt; the voltage. ",
                              "meltpool replay FILE --what-if voltage=20 --out DIR", "<li>Undercut: aim lower.</li>"})
         CHECK_THAT(html, containsText(text));
+    const size_t command = html.find("--what-if voltage=20");
+    CHECK(html.find("--what-if voltage=20", command + 1) == std::string::npos); // once for both
     CHECK_THAT(reportPage(readRunResults(writtenRun("report-no-cures", kResult))),
                !containsText("Why it failed, and what to try"));
 }
