@@ -395,6 +395,7 @@ void Renderer::draw(const SceneView& scene, const LookParameters& look, std::spa
     parts_->solids.prepare(measuresOf(look));
     for (int first = 0; first < count; first += together)
         parts_->drawBatch(scene, look, {first, together, submission}, count, target, profiler);
+    parts_->hidden.blacken(views, target);
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_FRAMEBUFFER_SRGB);
