@@ -170,8 +170,11 @@ void Renderer::Parts::prepare(const SceneView& scene, const LookParameters& look
     FrameData frame = makeFrame(scene, look);
     const auto count = static_cast<int>(views.size());
     frame.viewCount = static_cast<float>(count);
-    for (int i = 0; i < count; ++i)
-        frame.views[i] = makeViewData(views[static_cast<size_t>(i)], columnOf(target.viewport, i, count));
+    for (int i = 0; i < count; ++i) {
+        const View& view = views[static_cast<size_t>(i)];
+        frame.views[i] = makeViewData(view, columnOf(target.viewport, i, count));
+        frame.views[i].arcSeen = arcPastHands(scene, view.eye);
+    }
     exposure = frame.exposure;
     frames[current].writeValue(frame);
     frames[current].bindUniform(FRAME_BINDING);
