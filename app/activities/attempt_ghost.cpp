@@ -17,6 +17,12 @@ constexpr std::array<std::string_view, 3> kKeys{"ghost", "ghost_pace", "ghost_fi
 constexpr double kTold = 8;          // s for which a fault is shown
 constexpr double kWordsPeriod = 0.3; // s between two readings: faster ones are illegible
 
+/// Name beside a ghost's torch; empty: none.
+std::string_view nameOf(GhostChoice choice) {
+    if (choice == GhostChoice::expert) return phrase("ghost.name.expert");
+    return choice == GhostChoice::best ? std::string_view(phrase("ghost.name.best")) : std::string_view();
+}
+
 /// True for a torch without arc far from the seam, as for cues.
 bool isPutAside(const Trainer& trainer) {
     const TechniqueValues& values = trainer.technique()->now();
@@ -186,7 +192,7 @@ void AttemptGhost::tellWords(const Trainer& trainer, double elapsed) {
 std::span<const Marker> AttemptGhost::markers(const Trainer& trainer, const SceneView& scene, const View& eye,
                                               float zoom) {
     if (!on() || !moment_ || !hand_) return {};
-    const GhostLook look{strength_, 1 / zoom, *hand_};
+    const GhostLook look{strength_, 1 / zoom, *hand_, nameOf(on_)};
     return shapes_.build(*moment_, words_, trainer.lesson().process, trainer.technique()->seam(), look,
                          cueEye(scene, eye), scene.modelToWorld);
 }

@@ -279,6 +279,14 @@ std::string_view HeadsetFrontEnd::wayToWork(const LessonSession& session) const 
     return meltpool::wayToWork(workshop_.toWorkshop(head()), place_.toWorkshop(glm::vec3(0)));
 }
 
+/// Place at which the torch works, in the workshop: that of a demonstration or replay, or the one in the hand; empty
+/// while none is seen.
+std::optional<glm::vec3> HeadsetFrontEnd::torchEnd(const LessonSession& session) const {
+    if (session.running() && session.leader() == TorchLeader::path) return place_.toWorkshop(session.run().torchEnd());
+    if (!hands_.torch().tracked()) return std::nullopt;
+    return hands_.torch().end(place_.zoom * session.run().burntOff());
+}
+
 void HeadsetFrontEnd::drawNotice(const LessonSession& session, const LessonFigures& figures, const Messages& messages,
                                  double elapsed) {
     const std::string_view way = again_.holds() ? std::string_view() : wayToWork(session);
@@ -286,11 +294,10 @@ void HeadsetFrontEnd::drawNotice(const LessonSession& session, const LessonFigur
     if (!drawn_ || notice_.text.text().empty()) return;
     guarded([&] {
         xr::Headset& headset = *connection_.headset();
-        const TrackedTorch& torch = hands_.torch();
-        notice_.place.update(
-            !notice_.text.warnings().empty() || again_.holds() || !way.empty(), workshop_.toWorkshop(head()),
-            torch.tracked() ? std::optional(torch.tip().position) : std::nullopt, parameters_.tableHeight, elapsed,
-            panel_.open() ? std::optional(panel_.pose()) : std::nullopt);
+        const bool nearTorch =
+            !notice_.text.warnings().empty() || !figures.caption.empty() || again_.holds() || !way.empty();
+        notice_.place.update(nearTorch, workshop_.toWorkshop(head()), torchEnd(session), parameters_.tableHeight,
+                             elapsed, panel_.open() ? std::optional(panel_.pose()) : std::nullopt);
         const bool fresh = notice_.draw(headset.notice(), connection_.openings(), elapsed);
         const xr::Pose pose = workshop_.toSession(notice_.place.pose());
         headset.showNotice(pose, notice_.place.width(), fresh);
@@ -350,7 +357,7 @@ std::string_view HeadsetFrontEnd::nextDeskView() {
 
 std::optional<glm::vec3> HeadsetFrontEnd::arcFromHead(const LessonSession& session) const {
     if (!drawn_ || !session.running() || connection_.headset() == nullptr) return std::nullopt;
-    return workshop_.toWorkshop(head()).inverse() * place_.toWorkshop(session.run().torch().tip);
+    return workshop_.toWorkshop(head()).inverse() * place_.toWorkshop(session.run().torchEnd());
 }
 
 std::string HeadsetFrontEnd::sentence() const {

@@ -23,20 +23,21 @@ xr::Hand HeadsetHands::torchHand() const {
     return parameters_.hand == HeadsetParameters::kLeft ? xr::Hand::left : xr::Hand::right;
 }
 
-void HeadsetHands::update(const xr::Input& input, const Workshop& workshop, const TorchGeometry& geometry,
-                          double elapsed) {
-    updateTorch(input, workshop, geometry, elapsed);
+void HeadsetHands::update(const std::array<const xr::HandInput*, 2>& controllers,
+                          std::span<const xr::TrackerInput> trackers, const Workshop& workshop,
+                          const TorchGeometry& geometry, double elapsed) {
     const bool right = torchHand() == xr::Hand::right;
-    const xr::HandInput& other = input.hand(right ? xr::Hand::left : xr::Hand::right);
+    updateTorch(*controllers[right ? 1 : 0], trackers, workshop, geometry, elapsed);
+    const xr::HandInput& other = *controllers[right ? 0 : 1];
     otherAlone_ = other.tracked && !selector_.torch().present;
     rod_ = other.tracked ? std::optional(handPose(other, workshop, !right)) : std::nullopt;
     if (measuring_.underWay()) putOut(ArcOut::measuring);
 }
 
-void HeadsetHands::updateTorch(const xr::Input& input, const Workshop& workshop, const TorchGeometry& geometry,
-                               double elapsed) {
+void HeadsetHands::updateTorch(const xr::HandInput& hand, std::span<const xr::TrackerInput> trackers,
+                               const Workshop& workshop, const TorchGeometry& geometry, double elapsed) {
     const bool onTracker = parameters_.torchOn == HeadsetParameters::kTracker;
-    selector_.update(onTracker, input.hand(torchHand()), input.trackers(), elapsed);
+    selector_.update(onTracker, hand, trackers, elapsed);
     if (selector_.changed()) putOut(ArcOut::holderChanged);
     CalibrationFile& calibration = calibrations_[size_t(selector_.holder())];
     const xr::HandInput& torch = selector_.torch();

@@ -10,6 +10,7 @@
 #include <array>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -23,7 +24,13 @@ class HeadsetHands {
 
     /// Takes the frame's controllers and trackers. `geometry`: of the lesson's torch, whose tip counts until another is
     /// measured. `elapsed`: real seconds since the last frame.
-    void update(const xr::Input& input, const Workshop& workshop, const TorchGeometry& geometry, double elapsed);
+    void update(const xr::Input& input, const Workshop& workshop, const TorchGeometry& geometry, double elapsed) {
+        update({&input.hand(xr::Hand::left), &input.hand(xr::Hand::right)}, input.trackers(), workshop, geometry,
+               elapsed);
+    }
+    /// Takes these controllers, left and right, and trackers.
+    void update(const std::array<const xr::HandInput*, 2>& controllers, std::span<const xr::TrackerInput> trackers,
+                const Workshop& workshop, const TorchGeometry& geometry, double elapsed);
     /// Puts the arc out until the trigger is released.
     void putOut(ArcOut reason) { torch_.putOut(reason); }
     /// Forgets the controllers, which puts the arc out.
@@ -57,7 +64,8 @@ class HeadsetHands {
     std::string_view warning() const;
 
   private:
-    void updateTorch(const xr::Input& input, const Workshop& workshop, const TorchGeometry& geometry, double elapsed);
+    void updateTorch(const xr::HandInput& hand, std::span<const xr::TrackerInput> trackers, const Workshop& workshop,
+                     const TorchGeometry& geometry, double elapsed);
     TorchSample withRod(TorchSample sample, const WorkpiecePlace& place) const;
 
     const HeadsetParameters& parameters_;

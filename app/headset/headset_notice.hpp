@@ -38,15 +38,16 @@ class NoticeText {
 /// Sentence that leads the eyes to the work at this place of the workshop; empty if they look at it, to 35 degrees.
 std::string_view wayToWork(const xr::Pose& head, const glm::vec3& work);
 
-/// Places the notice in the workshop: above the torch's tip if the person looks there, else before their eyes; without
-/// a warning on the table. It follows with a delay, so that a trembling hand does not blur it. Its width is an angle,
-/// so that it covers no more of the view when the head comes near.
+/// Places the notice in the workshop: above the torch's end if the person looks there, else before their eyes; without
+/// a warning or a caption on the table. It follows with a delay, so that a trembling hand does not blur it. Its width
+/// is an angle, so that it covers no more of the view when the head comes near.
 class NoticePlace {
   public:
     static constexpr float kAngle = 0.52f; ///< rad, its width in the view
 
-    /// `panel`: the open panel, below which the notice hangs while the person looks there; empty: closed.
-    void update(bool warns, const xr::Pose& head, const std::optional<glm::vec3>& tip, float tableHeight,
+    /// `atTorch`: the notice has a warning or a caption. `tip`: end of the torch, empty while none is seen. `panel`:
+    /// the open panel, below which the notice hangs while the person looks there; empty: closed.
+    void update(bool atTorch, const xr::Pose& head, const std::optional<glm::vec3>& tip, float tableHeight,
                 double elapsed, const std::optional<xr::Pose>& panel = {});
     const xr::Pose& pose() const { return pose_; }
     /// Width of the picture at that pose, m.

@@ -54,6 +54,8 @@ class TrackedTorch {
     bool known() const { return known_; }
     /// Tip in the workshop, for drawing.
     const xr::Pose& tip() const { return now_; }
+    /// End of an electrode of which `burnt` (m of the workshop) has burned off, in the workshop; else the tip.
+    glm::vec3 end(float burnt) const { return now_ * glm::vec3(0, 0, burnt); }
     float trigger() const { return tracked_ && !lock_.locked() ? trigger_ : 0.0f; }
     const TriggerLock& triggerLock() const { return lock_; }
     /// Velocity in the workshop, m/s.

@@ -106,14 +106,16 @@ void WorkshopScene::addRodHand(const HandsView& hands) {
     addGlovedHand(fittings_, rodGripOf(hands.rod->tracked(), way, end), glm::mat4(1.0f));
 }
 
-/// Table and machine are made again only when they change.
+/// Table and machine are made again only when they change. The machine is on the side of the torch's hand, from which
+/// the cable comes; the panel is on the other side.
 void WorkshopScene::furnish(const HeadsetParameters& parameters, const HandsView& hands) {
-    const FurnitureKey key{parameters.tableHeight, hands.process->kind, equipmentOf(*hands.process).displays};
+    const FurnitureKey key{parameters.tableHeight, hands.process->kind, equipmentOf(*hands.process).displays,
+                           parameters.hand == HeadsetParameters::kRight};
     if (furnished_ != key) {
         const glm::mat4 bench = glm::translate(glm::mat4(1.0f), {0, parameters.tableHeight, -Workshop::kTableBack});
         furniture_.clear();
         addTable(furniture_, bench, parameters.tableHeight);
-        addMachine(furniture_, bench, *hands.process);
+        addMachine(furniture_, bench, *hands.process, key.right);
         standing_ = furniture_.size();
         furnished_ = key;
     }

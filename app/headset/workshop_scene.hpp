@@ -53,6 +53,7 @@ class WorkshopScene {
         float tableHeight = 0;
         int process = 0;
         std::array<MachineDisplay, 2> displays{};
+        bool right = true; ///< side of the machine
         bool operator==(const FurnitureKey&) const = default;
     };
 

@@ -103,7 +103,7 @@ void LessonPicture::addHolders(std::vector<Solid>& solids, float overTable) cons
 
 std::optional<glm::vec3> LessonPicture::arcFrom(const glm::mat4& worldToEye) const {
     if (!weld()) return std::nullopt;
-    const glm::vec3 world = fixture().turn * trainer()->torch().tip / kClassicUnit;
+    const glm::vec3 world = fixture().turn * source_.run.torchEnd() / kClassicUnit;
     return glm::vec3(worldToEye * glm::vec4(world, 1)) * kClassicUnit;
 }
 

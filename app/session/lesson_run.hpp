@@ -44,6 +44,11 @@ class LessonRun {
     ArcState arc() const { return trainer_ ? trainer_->arc() : ArcState{}; }
     /// Torch of the last step. Requires metal.
     const TorchSample& torch() const { return trainer_->torch(); }
+    /// See Process::burntOff(), m; 0 without metal.
+    float burntOff() const { return trainer_ ? trainer_->metal().model().burntOff() : 0; }
+    /// Place at which the torch of the last step works, in the workpiece's frame, m: its tip, or the end to which its
+    /// electrode has burned. Requires metal.
+    glm::vec3 torchEnd() const { return torch().tip - torch().axis() * burntOff(); }
     size_t steps() const { return trainer_ ? trainer_->steps() : 0; }
     /// Notes in the attempt's record an event after the last step: `recentred`, `torch_lost`, `zoom 2`. No-op outside
     /// an attempt.

@@ -135,6 +135,7 @@ ViewData makeViewData(const View& view, const Viewport& viewport) {
     data.pixelsPerUnit = 0.5f * height * view.eyeToClip[1][1];
     data.size = {viewport.width, viewport.height};
     data.corner = {viewport.x, viewport.y};
+    data.arcSeen = 1;
     return data;
 }
 

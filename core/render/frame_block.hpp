@@ -11,7 +11,7 @@ namespace meltpool {
 /// Fills in everything except the views.
 FrameData makeFrame(const SceneView& scene, const LookParameters& look);
 
-/// Makes the data of one view. `viewport`: the pixels of this view only.
+/// Makes the data of one view, to which nothing hides the arc. `viewport`: the pixels of this view only.
 ViewData makeViewData(const View& view, const Viewport& viewport);
 
 } // namespace meltpool

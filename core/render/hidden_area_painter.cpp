@@ -4,6 +4,14 @@
 
 namespace meltpool {
 
+namespace {
+
+bool hides(std::span<const View> views, const RenderTarget& target) {
+    return target.hidden != nullptr && views.size() == target.hidden->corners.size();
+}
+
+} // namespace
+
 HiddenAreaPainter::HiddenAreaPainter(gl::ShaderLibrary& shaders)
     : program_(shaders.load({"render/hidden_area.vert", "render/hidden_area.frag"})) {
     glEnableVertexArrayAttrib(layout_.name(), 0);
@@ -21,11 +29,24 @@ void HiddenAreaPainter::upload(const HiddenArea& area) {
 }
 
 void HiddenAreaPainter::draw(std::span<const View> views, const RenderTarget& target) {
-    if (target.hidden == nullptr || views.size() != target.hidden->corners.size()) return;
+    if (!hides(views, target)) return;
     upload(*target.hidden);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_ALWAYS);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    drawTriangles(views, target);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthFunc(GL_LESS);
+}
+
+void HiddenAreaPainter::blacken(std::span<const View> views, const RenderTarget& target) {
+    if (!hides(views, target)) return;
+    upload(*target.hidden);
+    glDisable(GL_DEPTH_TEST);
+    drawTriangles(views, target);
+}
+
+void HiddenAreaPainter::drawTriangles(std::span<const View> views, const RenderTarget& target) {
     program_.use();
     layout_.bind();
     GLint first = 0;
@@ -36,8 +57,6 @@ void HiddenAreaPainter::draw(std::span<const View> views, const RenderTarget& ta
         glDrawArrays(GL_TRIANGLES, first, count);
         first += count;
     }
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    glDepthFunc(GL_LESS);
 }
 
 } // namespace meltpool

@@ -18,9 +18,12 @@ class HiddenAreaPainter {
     /// Sets the depth of the target's hidden area to the nearest, after the clear; later things are not drawn there.
     /// Leaves the depth test on, with GL_LESS.
     void draw(std::span<const View> views, const RenderTarget& target);
+    /// Paints the hidden area black, after everything else: the desk's window shows it. Leaves the depth test off.
+    void blacken(std::span<const View> views, const RenderTarget& target);
 
   private:
     void upload(const HiddenArea& area);
+    void drawTriangles(std::span<const View> views, const RenderTarget& target);
 
     const gl::Program& program_;
     gl::VertexArray layout_{"hidden area"};

@@ -158,8 +158,11 @@ void Renderer::Parts::prepare(const SceneView& scene, const LookParameters& look
     FrameData frame = makeFrame(scene, look);
     const auto count = static_cast<int>(views.size());
     frame.viewCount = static_cast<float>(count);
-    for (int i = 0; i < count; ++i)
-        frame.views[i] = makeViewData(views[static_cast<size_t>(i)], columnOf(target.viewport, i, count));
+    for (int i = 0; i < count; ++i) {
+        const View& view = views[static_cast<size_t>(i)];
+        frame.views[i] = makeViewData(view, columnOf(target.viewport, i, count));
+        frame.views[i].arcSeen = arcPastHands(scene, view.eye);
+    }
     exposure = frame.exposure;
     frames[current].writeValue(frame);
     frames[current].bindUniform(FRAME_BINDING);
@@ -394,6 +397,7 @@ void Renderer::draw(const SceneView& scene, const LookParameters& look, std::spa
     parts_->solids.prepare(measuresOf(look));
     for (int first = 0; first < count; first += together)
         parts_->drawBatch(scene, look, {first, together, submission}, count, target, profiler);
+    parts_->hidden.blacken(views, target);
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_FRAMEBUFFER_SRGB);

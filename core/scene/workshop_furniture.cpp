@@ -167,12 +167,13 @@ void addTable(std::vector<Solid>& solids, const glm::mat4& toWorld, float height
                     kDarkSteel, 0.2f);
 }
 
-void addMachine(std::vector<Solid>& solids, const glm::mat4& toWorld, const ProcessSettings& process) {
+void addMachine(std::vector<Solid>& solids, const glm::mat4& toWorld, const ProcessSettings& process, bool right) {
     const auto displays = equipmentOf(process).displays;
     if (displays.front().unit.empty()) return;
     constexpr float kTurn = -0.45f; // turn about the vertical, rad, towards the welder
-    constexpr glm::vec3 kPlace(0.36f, 0, -0.10f);
-    const glm::mat4 toBench = glm::rotate(glm::translate(glm::mat4(1), kPlace), kTurn, glm::vec3(0, 1, 0));
+    const float side = right ? 1.0f : -1.0f;
+    const glm::vec3 place(0.36f * side, 0, -0.10f);
+    const glm::mat4 toBench = glm::rotate(glm::translate(glm::mat4(1), place), kTurn * side, glm::vec3(0, 1, 0));
     const glm::mat4 machineToWorld = toWorld * toBench;
     Builder add(solids, machineToWorld);
     add.box({0, 0.5f * kMachineSize.y + 0.012f, -0.5f * kMachineSize.z}, kMachineSize, kMachinePaint, 0.35f,

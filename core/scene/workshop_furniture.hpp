@@ -22,8 +22,9 @@ constexpr glm::vec3 kCableEnd(-0.63f, -0.30f, 0.05f);
 void addTable(std::vector<Solid>& solids, const glm::mat4& toWorld, float height);
 
 /// Adds the machine of this process on the table, Equipment::displays on its front. Without displays there is none.
-/// `toWorld`: as for the table.
-void addMachine(std::vector<Solid>& solids, const glm::mat4& toWorld, const ProcessSettings& process);
+/// `toWorld`: as for the table. `right`: on the right side of the table, else on the left.
+void addMachine(std::vector<Solid>& solids, const glm::mat4& toWorld, const ProcessSettings& process,
+                bool right = true);
 
 /// Adds the holders of the workpiece: clamps at both ends of a plate on the table, else a post of height `overTable`
 /// (m) under it. `toWorld`: from the workpiece's frame turned into the room's, m.

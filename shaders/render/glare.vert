@@ -22,7 +22,7 @@ void main() {
     ViewData eye = frame.views[viewIndex()];
     toArc = frame.arc - eye.eye;
     float distance_ = length(toArc), ball = frame.modelUnit * sqrt(frame.arcMinDistanceSquared);
-    float seen = arcBesideWorkpiece(toArc);
+    float seen = eye.arcSeen * arcBesideWorkpiece(toArc);
     for (int i = 0; i < frame.torchPartCount; ++i)
         seen *= lampPast(frame.torchParts[i], eye.eye, toArc, ball);
     float far = max(distance_ / frame.modelUnit, kNearestEye);

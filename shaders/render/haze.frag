@@ -7,6 +7,7 @@
 layout(location = 0) in vec3 way;
 layout(location = 1) flat in vec3 toArc;
 layout(location = 2) flat in vec3 eye;
+layout(location = 3) flat in float seen;
 layout(location = 0) out vec4 colour;
 
 layout(location = 5) uniform float scattering; // share of light a metre
@@ -18,6 +19,6 @@ void main() {
     float half_ = sqrt(max(kSmokeReach * kSmokeReach - square, 0.0));
     float begin = max(nearest - half_, 0.0), end = min(nearest + half_, wayFree(eye, ray));
     if (end <= begin) discard;
-    vec3 light = scattering * hazeLight(sqrt(max(square, 0.0)), nearest, begin, end);
+    vec3 light = seen * scattering * hazeLight(sqrt(max(square, 0.0)), nearest, begin, end);
     colour = encoded(min(light * frame.exposure, 1.0), 0.0);
 }

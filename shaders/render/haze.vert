@@ -7,6 +7,7 @@
 layout(location = 0) out vec3 way;        // model units, from the eye, likewise the next
 layout(location = 1) flat out vec3 toArc;
 layout(location = 2) flat out vec3 eye;   // model units
+layout(location = 3) flat out float seen; // share of the arc that hands leave in sight
 
 void main() {
     ViewData view = frame.views[viewIndex()];
@@ -24,5 +25,6 @@ void main() {
     way = toModel * world;
     toArc = toModel * arc;
     eye = toModel * (view.eye - frame.modelToWorld[3].xyz);
+    seen = view.arcSeen;
     showAt(toClip(view.eye + world));
 }

@@ -101,6 +101,9 @@ struct ViewData {
     float pixelsPerUnit;  // pixels that one world unit covers at a depth of 1
     vec2 size;            // width and height, pixels
     vec2 corner;          // lower left corner in the frame buffer, pixels
+    float arcSeen;        // share of the arc that the eye sees past the person's hands, 0..1
+    float reserved;
+    vec2 reserved2;
 };
 
 /// A block of the workpiece, which blocks the arc's light.
@@ -226,8 +229,8 @@ struct SectionStroke {
 
 #ifdef __cplusplus
 static_assert(sizeof(SectionStroke) == 48);
-static_assert(sizeof(ViewData) == 224);
-static_assert(sizeof(FrameData) == 4 * 224 + 64 + (15 + 2 * MOST_SHADOW_BOXES + 3 * MOST_TORCH_PARTS + 3 * MOST_ROLLED_PLATES) * 16);
+static_assert(sizeof(ViewData) == 240);
+static_assert(sizeof(FrameData) == 4 * 240 + 64 + (15 + 2 * MOST_SHADOW_BOXES + 3 * MOST_TORCH_PARTS + 3 * MOST_ROLLED_PLATES) * 16);
 static_assert(sizeof(MaterialData) == 9 * 16);
 } // namespace meltpool
 #endif

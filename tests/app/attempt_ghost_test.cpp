@@ -58,6 +58,11 @@ class Welder {
         const auto markers = session.picture().ghostMarkers(scene, controls.view(1.5F));
         return {markers.begin(), markers.end()};
     }
+    /// Number of dark grounds of words and name beside the ghost.
+    std::ptrdiff_t grounds() {
+        const std::vector<Marker> markers = ghost();
+        return std::count_if(markers.begin(), markers.end(), [](const Marker& m) { return m.colour.g < 0.1F; });
+    }
     std::string words() const {
         std::string all;
         for (size_t i = 0; i < session.attempt().ghost().words().lines(); ++i)
@@ -93,6 +98,7 @@ TEST_CASE("the expert's ghost stands at the torch's place, is told to the record
     CHECK(welder.session.attempt().ghost().used() == "expert");
     INFO(welder.words());
     CHECK_THAT(welder.words(), test::containsText("travel angle 10\xC2\xB0 less\n"));
+    CHECK(welder.grounds() == 2); // words and name
     welder.session.sections().attempt.forScore = true;
     welder.again();
     welder.lead(0.3, 1);
@@ -176,6 +182,7 @@ TEST_CASE("the best kept attempt and a named file are ghosts too; what is missin
     CHECK(welder.fault().empty());
     CHECK_FALSE(welder.ghost().empty());
     CHECK(welder.session.attempt().ghost().used() == "best");
+    CHECK(welder.grounds() >= 1);
 
     welder.session.attempt().ghost().choose(folder / "nowhere.csv"); // changes the ghost during the attempt
     welder.lead(0.05, 1);

@@ -41,7 +41,9 @@ struct Stage {
         return markers;
     }
 
-    Image picture(std::span<const Marker> markers, LookParameters look = {}, bool hidden = false) const {
+    /// `side`: 1: seen from the welder's side, -1: from the other one.
+    Image picture(std::span<const Marker> markers, LookParameters look = {}, bool hidden = false,
+                  float side = 1) const {
         look.showSky = false;
         static Renderer renderer(test::shaders());
         const PictureTarget target(2 * kSize, kSize);
@@ -57,8 +59,8 @@ struct Stage {
         scene.solids = solids;
         scene.ghost = markers;
         const glm::vec3 target0(0, 0.8F, 0);
-        const std::array<View, 2> eyes{FreeCamera({-0.6F, 2.2F, 4}, target0).view({}, 1),
-                                       FreeCamera({0.6F, 2.2F, 4}, target0).view({}, 1)};
+        const std::array<View, 2> eyes{FreeCamera({-0.6F, 2.2F, 4 * side}, target0).view({}, 1),
+                                       FreeCamera({0.6F, 2.2F, 4 * side}, target0).view({}, 1)};
         renderer.draw(scene, look, eyes, target.target(), nullptr);
         return target.read();
     }
@@ -115,6 +117,17 @@ TEST_CASE("in both eyes a ghost lies between what is behind it and an opaque tor
     // A fading ghost is closer to its background.
     const double full = compareImages(without, half, 5).mean;
     CHECK(compareImages(without, stage.picture(stage.ghost(0.25F)), 5).mean < 0.5 * full);
+}
+
+TEST_CASE("a ghost is seen from both sides") {
+    const Stage stage;
+    std::vector<double> changed;
+    for (const float side : {1.0F, -1.0F}) {
+        const Image without = stage.picture({}, {}, false, side), with = stage.picture(stage.ghost(), {}, false, side);
+        changed.push_back(compareImages(without, with, 5).farPixels);
+        CHECK(changed.back() > 0.01);
+    }
+    CHECK(changed[1] == Approx(changed[0]).epsilon(0.2));
 }
 
 TEST_CASE("a wall before the ghost hides it, and the ghost hides no marker behind it") {

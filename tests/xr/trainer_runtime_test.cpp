@@ -249,6 +249,8 @@ TEST_CASE("the panel opens and its buttons are pressed with the pointer's ray: r
     WARN("the tip was found to " << 1000 * glm::distance(tip.offset, offset) << " mm, residual " << tip.residualMm
                                  << " mm");
     CHECK(glm::distance(tip.offset, offset) < 0.0003f);
+    trainee.press(trainer, "headset.own_tip", reports("its own tip again"));
+    CHECK_FALSE(fs::exists(kept));
 
     // A recentre from another place puts the workshop before the eyes as before: the picture is equal.
     trainee.state.hands[1].active = false;

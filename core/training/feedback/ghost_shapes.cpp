@@ -6,8 +6,8 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <utility>
 
 namespace meltpool {
 
@@ -25,6 +25,7 @@ constexpr float kMargin = 0.7F;        // around the words, in digit heights
 constexpr float kStroke = 0.13F;       // width of a stroke, in digit heights
 constexpr float kLayer = 0.1F;         // distance of the ground behind the words, in digit heights
 constexpr float kOverBoard = 0.2F;     // share of the eye's distance: higher than the cues' board
+constexpr float kNameGap = 0.01F;      // likewise, between words and name
 constexpr float kLift = 20e-3F;        // m before the pool
 constexpr float kLargestLift = 0.4F;   // share of the eye's distance
 constexpr float kClear = 1.15F;        // room around the pool, in disc radii
@@ -68,6 +69,7 @@ GhostShapes::Page GhostShapes::pageAt(const glm::vec3& pool, const CueEye& eye, 
     page.right = glm::normalize(glm::cross(eye.up, page.toEye));
     page.up = glm::cross(page.toEye, page.right);
     page.side = side;
+    page.row = row;
     page.figure = kFigure * (distance - lift);
     // Nearer things look farther from the middle, the more so from an eye that is off the middle.
     const float clear = kClear * static_cast<float>(kPoolDisc) * (distance - lift) / distance + kClearPerLift * lift;
@@ -75,24 +77,19 @@ GhostShapes::Page GhostShapes::pageAt(const glm::vec3& pool, const CueEye& eye, 
     return page;
 }
 
-/// The first page that is wholly in the picture, else the first of all.
-GhostShapes::Page GhostShapes::pageFor(const GhostLook& look, const Seam& seam, const CueEye& eye, float width,
-                                       float height) {
-    const SeamFrame frame = seam.at(look.hand.place);
-    const glm::vec3 pool(frame.point + frame.across * look.hand.aim);
-    const Page first = pageAt(pool, eye, 1, 0);
-    const float ahead = static_cast<float>(look.hand.direction) * glm::dot(glm::vec3(frame.tangent), first.right);
-    const float behind = ahead < -0.1F ? 1.0F : -1.0F;
-    const Page beside = pageAt(pool, eye, behind, 0);
-    if (!eye.toClip) return beside;
-    for (const auto& [side, row] : {std::pair(behind, 0.0F), {-behind, kOverBoard}, {behind, kOverBoard}}) {
-        const Page page = pageAt(pool, eye, side, row);
-        const float far = side * width * page.figure, high = height * page.figure;
+/// The first page of these about a place that is wholly in the picture, else the first of all.
+GhostShapes::Page GhostShapes::pageFor(const glm::vec3& place, const CueEye& eye, std::span<const Stand> stands,
+                                       float width, float height) {
+    const Page first = pageAt(place, eye, stands.front().side, stands.front().row);
+    if (!eye.toClip) return first;
+    for (const Stand& stand : stands) {
+        const Page page = pageAt(place, eye, stand.side, stand.row);
+        const float far = stand.side * width * page.figure, high = height * page.figure;
         if (!outside(*eye.toClip, page.at(far, 0)) && !outside(*eye.toClip, page.at(far, high)) &&
             !outside(*eye.toClip, page.at(0, high)))
             return page;
     }
-    return beside;
+    return first;
 }
 
 /// `left` and `base`: start of the line on the page.
@@ -115,27 +112,49 @@ void GhostShapes::addLine(const Page& page, std::string_view text, float left, f
     }
 }
 
-void GhostShapes::addWords(const GhostWords& words, const Seam& seam, const GhostLook& look, const CueEye& eye,
-                           const glm::mat4& toWorld) {
-    if (words.lines() == 0) return;
-    float width = 0;
-    for (size_t i = 0; i < words.lines(); ++i)
-        width = std::max(width, strokeTextLength(words.line(i), 1));
-    width += 2 * kMargin;
-    const float height = kLine * static_cast<float>(words.lines()) + kMargin;
-    const Page page = pageFor(look, seam, eye, width, height);
-    const auto strength = static_cast<float>(look.strength);
+/// Adds the dark ground of a page; `width` and `height`: in digit heights.
+void GhostShapes::addGround(const Page& page, float width, float height, float strength, const glm::mat4& toWorld) {
     const glm::vec3 middle = page.at(page.side * width / 2 * page.figure, height / 2 * page.figure);
     const glm::mat4 ground{glm::vec4(page.right * (width * page.figure), 0),
                            glm::vec4(page.up * (height * page.figure), 0),
                            glm::vec4(page.toEye * (0.5F * kLayer * page.figure), 0),
                            glm::vec4(middle - page.toEye * (kLayer * page.figure), 1)};
     markers_.push_back({SolidShape::box, toWorld * ground, kGround, kGroundOpacity * strength});
+}
+
+/// Adds the words beside the pool; returns the height of their upper edge, as a share of the eye's distance.
+float GhostShapes::addWords(const GhostWords& words, const glm::vec3& pool, float side, const GhostLook& look,
+                            const CueEye& eye, const glm::mat4& toWorld) {
+    if (words.lines() == 0) return 0;
+    float width = 0;
+    for (size_t i = 0; i < words.lines(); ++i)
+        width = std::max(width, strokeTextLength(words.line(i), 1));
+    width += 2 * kMargin;
+    const float height = kLine * static_cast<float>(words.lines()) + kMargin;
+    const std::array<Stand, 3> stands{{{side, 0}, {-side, kOverBoard}, {side, kOverBoard}}};
+    const Page page = pageFor(pool, eye, stands, width, height);
+    const auto strength = static_cast<float>(look.strength);
+    addGround(page, width, height, strength, toWorld);
     for (size_t i = 0; i < words.lines(); ++i) {
         const float left = page.side > 0 ? kMargin : kMargin - width;
         const float base = kMargin + kLine * static_cast<float>(words.lines() - 1 - i);
         addLine(page, words.line(i), left * page.figure, base * page.figure, kWordsOpacity * strength, toWorld);
     }
+    return page.row + height * kFigure;
+}
+
+/// Adds the name beside the ghost's torch, whose end is at `end`. `row`: lowest height of its lower edge, as a share of
+/// the eye's distance.
+void GhostShapes::addName(const glm::vec3& end, float side, float row, const GhostLook& look, const CueEye& eye,
+                          const glm::mat4& toWorld) {
+    const float width = strokeTextLength(look.name, 1) + 2 * kMargin, height = kLine + kMargin;
+    const float over = std::max(row + kNameGap, kOverBoard);
+    const std::array<Stand, 2> stands{{{side, over}, {-side, over}}};
+    const Page page = pageFor(end, eye, stands, width, height);
+    const auto strength = static_cast<float>(look.strength);
+    addGround(page, width, height, strength, toWorld);
+    const float left = page.side > 0 ? kMargin : kMargin - width;
+    addLine(page, look.name, left * page.figure, kMargin * page.figure, kWordsOpacity * strength, toWorld);
 }
 
 std::span<const Marker> GhostShapes::build(const GhostMoment& moment, const GhostWords& words,
@@ -143,9 +162,18 @@ std::span<const Marker> GhostShapes::build(const GhostMoment& moment, const Ghos
                                            const CueEye& eye, const glm::mat4& toWorld) {
     markers_.clear();
     if (look.strength <= 0) return markers_;
-    addGhostTorch(markers_, parts_, moment.torch, process, arcOf(moment, process, seam),
-                  static_cast<float>(look.strength), look.size, toWorld);
-    addWords(words, seam, look, eye, toWorld);
+    const ArcState arc = arcOf(moment, process, seam);
+    addGhostTorch(markers_, parts_, moment.torch, process, arc, static_cast<float>(look.strength), look.size, toWorld);
+    const SeamFrame frame = seam.at(look.hand.place);
+    const glm::vec3 pool(frame.point + frame.across * look.hand.aim);
+    const glm::vec3 right = pageAt(pool, eye, 1, 0).right;
+    const float ahead = static_cast<float>(look.hand.direction) * glm::dot(glm::vec3(frame.tangent), right);
+    const float behind = ahead < -0.1F ? 1.0F : -1.0F;
+    const float top = addWords(words, pool, behind, look, eye, toWorld);
+    if (look.name.empty()) return markers_;
+    const auto whole = static_cast<float>(equipmentOf(process).electrodeLength);
+    const float burnt = whole > 0 ? whole - arc.extension : 0;
+    addName(moment.torch.tip - moment.torch.axis() * (burnt * look.size), behind, top, look, eye, toWorld);
     return markers_;
 }
 

@@ -1,4 +1,4 @@
-// Draws the ghost: its torch, and next to the pool the differences of the hand in words that face the eye.
+// Draws the ghost: its torch with a name, and next to the pool the differences of the hand, in words that face the eye.
 #pragma once
 
 #include "core/render/solids.hpp"
@@ -17,10 +17,12 @@ struct GhostLook {
     double strength = 1; ///< 0 gone .. 1
     float size = 1;      ///< scale of its torch relative to the workpiece
     CuePose hand;        ///< pose of one's own torch: the words are next to it, away from the cues' board
+    std::string_view name = {}; ///< whose torch it is; empty: no name is drawn
 };
 
 /// Draws a ghost. The words are on the side that the torch came from, nearer to the eye than the pool; beyond the
-/// picture's edge they move above the cues' board. They leave the pool's disc free, as cues do.
+/// picture's edge they move above the cues' board. The name is on that side of the ghost's torch, above board and
+/// words. Both leave the pool's disc free, as cues do.
 class GhostShapes {
   public:
     GhostShapes();
@@ -39,14 +41,24 @@ class GhostShapes {
         glm::vec3 toEye{0, 0, 1};
         float side = 1;   ///< 1: the page extends to the right of its corner, -1: to the left
         float figure = 0; ///< height of a digit
+        float row = 0;    ///< height above the pool, as a share of the eye's distance
 
         glm::vec3 at(float x, float y) const { return corner + right * x + up * y; }
     };
 
+    /// Side and row of a page.
+    struct Stand {
+        float side = 1, row = 0;
+    };
+
     static Page pageAt(const glm::vec3& pool, const CueEye& eye, float side, float row);
-    static Page pageFor(const GhostLook& look, const Seam& seam, const CueEye& eye, float width, float height);
-    void addWords(const GhostWords& words, const Seam& seam, const GhostLook& look, const CueEye& eye,
-                  const glm::mat4& toWorld);
+    static Page pageFor(const glm::vec3& place, const CueEye& eye, std::span<const Stand> stands, float width,
+                        float height);
+    float addWords(const GhostWords& words, const glm::vec3& pool, float side, const GhostLook& look, const CueEye& eye,
+                   const glm::mat4& toWorld);
+    void addName(const glm::vec3& end, float side, float row, const GhostLook& look, const CueEye& eye,
+                 const glm::mat4& toWorld);
+    void addGround(const Page& page, float width, float height, float strength, const glm::mat4& toWorld);
     void addLine(const Page& page, std::string_view text, float left, float base, float opacity,
                  const glm::mat4& toWorld);
 

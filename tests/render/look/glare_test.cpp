@@ -17,11 +17,13 @@ constexpr double kFar = 0.4; ///< distance from the eye to the arc, model units
 
 /// Returns the light that the eye receives at this angle (degrees) from an arc of this intensity in front of nothing.
 double lightBeside(Renderer& renderer, double angle, double intensity, LookParameters look, float scale = 1,
-                   std::span<const Solid> solids = {}, double far = kFar) {
+                   std::span<const Solid> solids = {}, double far = kFar, std::span<const Solid> hands = {}) {
     SceneView scene;
     scene.modelToWorld = glm::scale(glm::mat4(1), glm::vec3(scale));
     scene.arc = {{0, 0, 0}, glm::vec3(float(intensity)), 1e-3f};
     scene.solids = solids;
+    scene.fittings = hands;
+    scene.handsTracked = !hands.empty();
     const double rad = angle * std::numbers::pi / 180;
     const glm::vec3 eye(0, 0, float(far) * scale);
     const glm::vec3 target = eye + scale * glm::vec3(float(std::sin(rad)), 0, float(-std::cos(rad)));
@@ -30,9 +32,9 @@ double lightBeside(Renderer& renderer, double angle, double intensity, LookParam
 
 /// Returns that light less the picture's clear colour.
 double veilBeside(Renderer& renderer, double angle, double intensity, const LookParameters& look, float scale = 1,
-                  std::span<const Solid> solids = {}, double far = kFar) {
-    const double empty = lightBeside(renderer, angle, 0, look, scale, solids, far);
-    const double seen = lightBeside(renderer, angle, intensity, look, scale, solids, far);
+                  std::span<const Solid> solids = {}, double far = kFar, std::span<const Solid> hands = {}) {
+    const double empty = lightBeside(renderer, angle, 0, look, scale, solids, far, hands);
+    const double seen = lightBeside(renderer, angle, intensity, look, scale, solids, far, hands);
     return (seen - empty) / (1 - empty);
 }
 
@@ -68,6 +70,20 @@ TEST_CASE("an arc that the torch hides does not glare") {
     CHECK(veilBeside(renderer, 3, 0.04 * kFar * kFar, look, 1, {&bar, 1}) == 0);
     bar.toWorld = alongLine({0.1f, -0.3f, 0.2f}, {0.1f, 0.3f, 0.2f}, 0.01f);
     CHECK(veilBeside(renderer, 3, 0.04 * kFar * kFar, look, 1, {&bar, 1}) > 0.03);
+}
+
+TEST_CASE("an arc behind the person's own forearm does not glare, and one beside it does") {
+    Renderer& renderer = test::patchRenderer();
+    const LookParameters look = test::roomOnly(0);
+    Solid forearm;
+    forearm.shape = SolidShape::pill;
+    const auto veilPast = [&](float x) {
+        forearm.toWorld = alongLine({x, -0.3f, 0.2f}, {x, 0.3f, 0.2f}, 0.01f);
+        return veilBeside(renderer, 3, 0.04 * kFar * kFar, look, 1, {}, kFar, {&forearm, 1});
+    };
+    CHECK(veilPast(0) == Approx(0).margin(1e-6));
+    CHECK(veilPast(0.1f) > 0.03);
+    CHECK(veilPast(0.005f) == Approx(0.5 * veilPast(0.1f)).epsilon(0.05)); // half of the arc's disc
 }
 
 } // namespace meltpool

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <vector>
 
 using namespace meltpool;
@@ -66,7 +67,7 @@ TEST_CASE("the ghost's words hide no part of the pool's disc from a camera or fr
                     stage.hand.direction = direction;
                     const CueEye eye = stage.eyeAt(azimuth, elevation, distance);
                     const auto markers = shapes.build(stage.moment, stage.words, stage.gmaw, stage.seam,
-                                                      {1, 1, stage.hand}, eye, glm::mat4(1));
+                                                      {1, 1, stage.hand, "expert"}, eye, glm::mat4(1));
                     const size_t torch = partsOfTorch(markers);
                     CHECK(torch >= 3);
                     CHECK(markers.size() > torch + 50);
@@ -120,6 +121,57 @@ TEST_CASE("a ghost fades as a whole, and is gone in the end; without words only 
     CHECK(built(0, stage.words).empty());
     const auto bare = built(1, {});
     CHECK(bare.size() == partsOfTorch(bare));
+}
+
+TEST_CASE("a ghost has its name beside its torch, to be read from both sides; a ghost that is gone has none",
+          "[training]") {
+    Stage stage;
+    stage.moment.torch.tip.x = -0.02F; // the ghost goes its own way
+    GhostShapes shapes;
+    const auto built = [&](const CueEye& eye, std::string_view name, double strength = 1) {
+        const auto markers =
+            shapes.build(stage.moment, {}, stage.gmaw, stage.seam, {strength, 1, stage.hand, name}, eye, glm::mat4(1));
+        return std::vector<Marker>(markers.begin(), markers.end());
+    };
+    for (const float azimuth : {0.0F, 60.0F, 180.0F})
+        for (const float distance : {0.12F, 0.45F}) {
+            INFO("eye at " << azimuth << " degrees, " << distance << " m");
+            const CueEye eye = stage.eyeAt(azimuth, 40, distance);
+            const std::vector<Marker> named = built(eye, "expert");
+            const size_t torch = partsOfTorch(named);
+            REQUIRE(named.size() > torch + 10);
+            const glm::vec3 tip = stage.moment.torch.tip, toEye = glm::normalize(eye.position - tip);
+            const glm::vec3 right = glm::normalize(glm::cross(eye.up, toEye)), up = glm::cross(toEye, right);
+            for (size_t i = torch; i < named.size(); ++i) {
+                const glm::vec3 off = glm::vec3(named[i].toWorld[3]) - tip;
+                CHECK(glm::length(off) < 0.5F * distance);
+                CHECK(glm::dot(off, up) > 0.1F * distance);
+            }
+            // It reads from left to right.
+            const glm::vec3 first = named[torch + 1].toWorld[3], last = named.back().toWorld[3];
+            CHECK(glm::dot(last - first, right) > 0.03F * distance);
+        }
+    const CueEye eye = stage.eyeAt(0, 40, 0.2F);
+    CHECK(built(eye, "expert", 0).empty());
+    const std::vector<Marker> nameless = built(eye, "");
+    CHECK(nameless.size() == partsOfTorch(nameless));
+}
+
+TEST_CASE("a ghost's name is above the words beside the pool", "[training]") {
+    Stage stage;
+    GhostShapes shapes;
+    const CueEye eye = stage.eyeAt(0, 40, 0.4F);
+    const auto markers = shapes.build(stage.moment, stage.words, stage.gmaw, stage.seam, {1, 1, stage.hand, "expert"},
+                                      eye, glm::mat4(1));
+    std::vector<glm::mat4> grounds;
+    for (const Marker& marker : markers.subspan(partsOfTorch(markers)))
+        if (marker.colour.g < 0.1F) grounds.push_back(marker.toWorld);
+    REQUIRE(grounds.size() == 2);
+    const glm::vec3 up = glm::normalize(glm::vec3(grounds[0][1]));
+    const auto edge = [&](const glm::mat4& ground, float side) {
+        return glm::dot(glm::vec3(ground * glm::vec4(0, side / 2, 0, 1)), up);
+    };
+    CHECK(edge(grounds[1], -1) > edge(grounds[0], 1));
 }
 
 TEST_CASE("a covered electrode of a ghost ends over the seam however much of it its path has burned", "[training]") {

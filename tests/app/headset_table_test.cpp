@@ -1,0 +1,127 @@
+// Things on the headset's table: the holders go with the workpiece, and the machine leaves room for the panel.
+#include "app/headset/panel_pointer.hpp"
+#include "app/headset/workshop_scene.hpp"
+#include "core/training/lesson/lesson.hpp"
+#include "core/training/trainer/classic_model.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/places.hpp"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/matrix.hpp>
+
+#include <filesystem>
+#include <vector>
+
+using namespace meltpool;
+
+namespace {
+
+/// Returns the corners of the holders' boxes in the workshop, as the headset draws them.
+std::vector<glm::vec3> holderCorners(const Workpiece& piece, const WorkpiecePlace& place,
+                                     const HeadsetParameters& parameters) {
+    std::vector<Solid> holders;
+    addHolders(holders, glm::scale(glm::mat4(1), glm::vec3(1 / kClassicUnit)), piece, place.overTable / place.zoom);
+    ProcessSettings process;
+    WorkshopScene scene;
+    HandsView hands;
+    hands.process = &process;
+    hands.holders = holders;
+    hands.toolsToWorkshop = place.modelToWorkshop(kClassicUnit);
+    scene.build(parameters, hands);
+    std::vector<glm::vec3> corners;
+    for (const Solid& solid : scene.furniture().last(holders.size()))
+        for (const float x : {-0.5f, 0.5f})
+            for (const float y : {-0.5f, 0.5f})
+                for (const float z : {-0.5f, 0.5f})
+                    corners.emplace_back(solid.toWorld * glm::vec4(x, y, z, 1));
+    return corners;
+}
+
+/// Returns the distance (m, in the workpiece's own size) from the nearest of these corners to the workpiece's box.
+float toPiece(std::span<const glm::vec3> corners, const Workpiece& piece, const WorkpiecePlace& place) {
+    float nearest = 1e9f;
+    for (const glm::vec3& corner : corners) {
+        const glm::vec3 at = place.toWorkpiece(corner);
+        nearest = std::min(nearest, glm::distance(at, glm::clamp(at, piece.bodyLow, piece.bodyHigh)));
+    }
+    return nearest;
+}
+
+/// Returns the number of places of the panel that are inside a solid on the table.
+int insideSolids(const xr::Pose& panel, std::span<const Solid> solids, float tableTop) {
+    const xr::PanelShape shape;
+    const float height = shape.width * float(shape.heightPixels) / float(shape.widthPixels);
+    int inside = 0;
+    for (const Solid& solid : solids) {
+        if (solid.toWorld[3].y <= tableTop) continue;
+        const glm::mat4 toSolid = glm::inverse(solid.toWorld);
+        for (float x = -0.5f; x <= 0.5f; x += 0.02f)
+            for (float y = -0.5f; y <= 0.5f; y += 0.02f) {
+                const glm::vec3 at = toSolid * glm::vec4(panel * glm::vec3(x * shape.width, y * height, 0), 1);
+                inside += glm::all(glm::lessThan(glm::abs(at), glm::vec3(0.5f))) ? 1 : 0;
+            }
+    }
+    return inside;
+}
+
+} // namespace
+
+TEST_CASE("clamps and posts touch the workpiece and the table wherever the person's height brings both", "[app]") {
+    size_t held = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(test::sourceFolder() / "app" / "data" / "lessons")) {
+        if (entry.path().extension() != ".toml") continue;
+        const Lesson lesson = readLesson(entry.path());
+        if (lesson.model != LessonModel::Weld) continue;
+        const Workpiece piece = makeWorkpiece(lesson.workpiece);
+        for (const float zoom : {1.0f, 3.0f}) {
+            HeadsetParameters low, high;
+            low.tableHeight = 0.7f;
+            high.tableHeight = 1.15f;
+            const Fixture fixture = beforeFace(fixtureOf(lesson.workpiece));
+            const WorkpiecePlace lowPlace(low.tableHeight, zoom, piece.floorHeight, fixture);
+            const WorkpiecePlace highPlace(high.tableHeight, zoom, piece.floorHeight, fixture);
+            const std::vector<glm::vec3> below = holderCorners(piece, lowPlace, low);
+            const std::vector<glm::vec3> above = holderCorners(piece, highPlace, high);
+            if (below.empty()) continue; // a thick block lies by its weight
+            ++held;
+            INFO(entry.path().filename() << ", zoom " << zoom);
+            CHECK(toPiece(below, piece, lowPlace) < 3e-3f);
+            CHECK(toPiece(above, piece, highPlace) < 3e-3f);
+            float lowest = 1e9f;
+            for (const glm::vec3& corner : above)
+                lowest = std::min(lowest, corner.y);
+            CHECK(lowest == Approx(high.tableHeight).margin(2e-3));
+            REQUIRE(above.size() == below.size());
+            const glm::vec3 moved = highPlace.toWorkshop(glm::vec3(0)) - lowPlace.toWorkshop(glm::vec3(0));
+            for (size_t i = 0; i < above.size(); ++i)
+                CHECK(glm::distance(above[i] - below[i], moved) < 1e-4f);
+        }
+    }
+    CHECK(held > 10);
+}
+
+TEST_CASE("the panel is never inside the machine, which is on the side of the torch's hand", "[app]") {
+    for (const xr::Hand hand : {xr::Hand::right, xr::Hand::left})
+        for (const bool aside : {false, true}) {
+            HeadsetParameters parameters;
+            parameters.hand = hand == xr::Hand::right ? HeadsetParameters::kRight : HeadsetParameters::kLeft;
+            ProcessSettings process;
+            process.choose<Gmaw>();
+            WorkshopScene scene;
+            HandsView hands;
+            hands.process = &process;
+            scene.build(parameters, hands);
+            PanelPointer panel(parameters);
+            panel.show();
+            for (int i = 0; i < 3; ++i)
+                panel.move(aside, glm::vec3(0, parameters.tableHeight + Workshop::kDrop, Workshop::kReach), hand, 10);
+            INFO((hand == xr::Hand::right ? "right" : "left") << (aside ? ", aside" : ", in front"));
+            CHECK(insideSolids(panel.pose(), scene.furniture(), parameters.tableHeight) == 0);
+            // On the side of the machine this panel would be inside it.
+            if (!aside) continue;
+            parameters.hand = HeadsetParameters::kRight + HeadsetParameters::kLeft - parameters.hand;
+            scene.build(parameters, hands);
+            CHECK(insideSolids(panel.pose(), scene.furniture(), parameters.tableHeight) > 20);
+        }
+}
