@@ -23,11 +23,18 @@ float DesktopMenus::coveredRight() {
     return panels.simulation && !panels.hidden && !machineWaits_ ? ui::panelReach(interface_.context()) : 0;
 }
 
-float DesktopMenus::middleOfPicture() {
+/// Height that a panel above the status bar covers.
+float DesktopMenus::coveredBelow() {
+    const ui::Context& context = interface_.context();
+    return replays_ && !panels.hidden ? context.replayHeight + context.points(10) : 0;
+}
+
+glm::vec2 DesktopMenus::middleOfPicture() {
     const auto width = static_cast<float>(std::max(window_.size().x, 1));
-    const float left = coveredLeft(), right = coveredRight();
-    if (left + right > 0.7f * width) return 0; // such wide panels leave no room for the metal
-    return (left - right) / width;
+    const auto height = static_cast<float>(std::max(window_.size().y, 1));
+    const float left = coveredLeft(), right = coveredRight(), below = std::min(coveredBelow(), 0.6f * height);
+    if (left + right > 0.7f * width) return {0, below / height}; // such wide panels leave no room for the metal
+    return {(left - right) / width, below / height};
 }
 
 MenuRequest DesktopMenus::draw(const DesktopMenuContent& content) {
@@ -36,6 +43,7 @@ MenuRequest DesktopMenus::draw(const DesktopMenuContent& content) {
     // The machine panel would cover the demonstration's controls in a narrow window.
     const Activities& activities = session.activities();
     const bool covers = activities.at(activities.demonstration) && ui::narrowerThan(context, 760);
+    replays_ = session.running() && activities.at(activities.replay);
     machineWaits_ = session.picture().cut().shown() || activities.at(activities.replay) || covers;
     MenuRequest request = MenuRequest::none;
     if (content.home.open)

@@ -6,6 +6,8 @@
 #include "app/session/menu_state.hpp"
 #include "app/ui/panels.hpp"
 
+#include <glm/vec2.hpp>
+
 #include <span>
 #include <string>
 
@@ -38,21 +40,23 @@ class DesktopMenus {
     /// Opens the result panel if the lesson has one.
     void showResult(const LessonSession& session);
 
-    /// Distance from the window's middle to the middle of its uncovered part, positive to the right, as a share of half
-    /// the window's width.
-    float middleOfPicture();
+    /// Distance from the window's middle to the middle of its uncovered part, positive to the right and upwards, as a
+    /// share of half the window's width and height.
+    glm::vec2 middleOfPicture();
 
   private:
     MenuRequest drawPanels(const DesktopMenuContent& content);
     void closeOverlapping();
     float coveredLeft();
     float coveredRight();
+    float coveredBelow();
 
     const Window& window_;
     ui::Interface& interface_;
     /// The machine panel is not drawn: its values would change nothing (weld cut open, attempt replayed), or it has no
     /// room.
     bool machineWaits_ = false;
+    bool replays_ = false;         ///< the replay's panel is shown
     bool resultFromTop_ = false;   ///< the next frame shows the result's top
     bool resultIsNewer_ = false;   ///< the result opened after the panels at its place
     bool timingsAreNewer_ = false; ///< choice if both panels at the left are open in the next frame
