@@ -24,7 +24,12 @@ struct KeptAttempt {
     std::string ended;        ///< reason of the end; empty: it still runs, or its program crashed
     bool practice = false;    ///< true: it went back to an earlier checkpoint, and its score does not count
     std::uint64_t bytes = 0;  ///< size of the file
+    bool test = false;        ///< true: welded for score
+    std::string title;        ///< name that a person gave it; empty: none
 };
+
+/// A recording's entry. Reads its head and end. Throws InputError if it is none.
+KeptAttempt readKeptAttempt(const std::filesystem::path& file);
 
 /// Recordings of a folder, newest first, by the moment of their start. Reads heads and ends only. `faults`, if given,
 /// gets a sentence for each file that has a recording's name and is none. A missing folder has none.
