@@ -5,11 +5,13 @@
 #include "app/library/deleted_attempts.hpp"
 #include "app/library/kept_attempts.hpp"
 #include "core/base/error.hpp"
+#include "core/base/files.hpp"
 #include "core/base/moment.hpp"
 #include "core/base/output_file.hpp"
 #include "core/base/words.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace meltpool {
@@ -43,7 +45,7 @@ ReplayEntry entryOf(const KeptAttempt& kept) {
 
 /// Name of a table that no file has yet: "attempts 2026-11-23 08.10.csv".
 fs::path tableName(const fs::path& folder) {
-    std::string moment = utcSecond(momentNow());
+    std::string moment = isoDate(std::chrono::system_clock::to_time_t(momentNow()));
     std::replace(moment.begin(), moment.end(), ':', '.');
     std::replace(moment.begin(), moment.end(), 'T', ' ');
     const std::string stem = "attempts " + moment.substr(0, 16);

@@ -82,8 +82,9 @@ bool textField(Context& context, const char* name, const std::string& hint, std:
     std::array<char, 128> typed{};
     text.copy(typed.data(), typed.size() - 1);
     ImGui::SetNextItemWidth(std::min(context.points(width), ImGui::GetContentRegionAvail().x));
-    const bool entered = ImGui::InputTextWithHint(ShortText{"##", name}.c_str(), hint.c_str(), typed.data(),
-                                                  typed.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+    const bool entered =
+        ImGui::InputTextWithHint(ShortText{"##", name}.c_str(), hint.c_str(), typed.data(), typed.size(),
+                                 ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     markItem(context, name);
     text = typed.data();
     return entered;

@@ -40,8 +40,8 @@ TEST_CASE("an attempt is named, deleted and brought back in the window's list") 
     window.click("home.attempts.name");
     window.waitFor("the line for a name", shows("home.attempts.title"));
     window.xdotool({"type", "--delay", "60", "hot j"}); // letters that are keys elsewhere
-    window.key("Return");
-    window.waitFor("the list again", [](const json& s) { return !s.at("places").contains("home.attempts.title"); });
+    window.holdKey("Return", "the list again",
+                   [](const json& s) { return !s.at("places").contains("home.attempts.title"); });
     CHECK(readTextFile(window.recordingsFolder() / "2026-11-03_10-00-00_gmaw-bead_1.title.txt") == "hot j\n");
     window.takePicture("attempts");
 
