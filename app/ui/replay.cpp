@@ -170,13 +170,13 @@ MenuRequest wideRows(Context& context, LessonSession& session) {
     ImGui::TableNextColumn();
     distanceOverTime(context, session);
     ImGui::EndTable();
+    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     const MenuRequest request = replayButtons(context, line);
     const ShortText state = stateText(session);
     ImGui::PushFont(context.fonts.small);
     const float words = ImGui::CalcTextSize(state.c_str()).x;
     ImGui::PopFont();
-    const float after = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + context.points(14);
-    if (after + words <= ImGui::GetContentRegionMax().x) {
+    if (ImGui::GetItemRectMax().x + context.points(14) + words <= right) {
         ImGui::SameLine(0, context.points(14));
         ImGui::AlignTextToFramePadding();
     }
