@@ -24,7 +24,8 @@ void AttemptReplay::begin(const Trainer& trainer, ReplayMachine machine, double 
     } catch (const InputError& fault) { // the file has changed since the attempt was read
         recorded_.refused = fault.what();
     }
-    line_.begin(duration);
+    const double start = attempt_ && attempt_->firstArc ? *attempt_->firstArc - kBeforeArc : 0;
+    line_.begin(duration, start >= kLeastSkipped ? start : 0);
 }
 
 void AttemptReplay::end() {

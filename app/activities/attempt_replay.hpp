@@ -27,8 +27,11 @@ class AttemptReplay final : public Activity {
     static constexpr double kSpacing = 0.5;            ///< s of the metal between two checkpoints
     static constexpr size_t kRoom = size_t(384) << 20; ///< bytes of memory for checkpoints
     static constexpr double kSeekSlice = 0.45;         ///< s of a frame that a seek's steps may take
+    static constexpr double kBeforeArc = 1;            ///< s before the first arc at which it starts
+    static constexpr double kLeastSkipped = 0.5;       ///< s; less is not skipped
 
-    /// Starts at the beginning, playing. `now`: s of a clock that never goes back. Reads the recording's checkpoints.
+    /// Starts playing, kBeforeArc before the first arc. `now`: s of a clock that never goes back. Reads the recording's
+    /// checkpoints.
     void begin(const Trainer& trainer, ReplayMachine machine, double (*now)());
     void end();
 

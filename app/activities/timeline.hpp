@@ -14,11 +14,14 @@ class ReplayTimeline {
     static constexpr double kSlowest = 0.1, kFastest = 4; ///< attempt's time over real time
     static constexpr double kKeyStep = 1;                 ///< s per stroke of an arrow key
 
-    /// Starts, playing at the attempt's own speed. `duration`: s.
-    void begin(double duration) {
+    /// Starts, playing at the attempt's own speed. `duration`: s. `start`: time to begin at, s; the metal is brought
+    /// there first.
+    void begin(double duration, double start = 0) {
         *this = {};
         duration_ = duration;
         playing_ = true;
+        start_ = std::clamp(start, 0.0, duration);
+        if (start_ > 0) seek(start_);
     }
     void end() { *this = {}; }
 
@@ -26,6 +29,8 @@ class ReplayTimeline {
     bool playing() const { return playing_; }
     double time() const { return time_; }
     double duration() const { return duration_; }
+    /// Time at which playing begins: what is before it is skipped.
+    double start() const { return start_; }
     double speed() const { return speed_; }
     /// True once the last step was made.
     bool over() const { return over_; }
@@ -33,7 +38,7 @@ class ReplayTimeline {
     /// Pauses or continues; at the end it starts again.
     void toggle() {
         const bool again = over_ && !seeking();
-        if (again) seek(0);
+        if (again) seek(start_);
         playing_ = again || !playing_;
     }
     void setSpeed(double speed) { speed_ = std::clamp(speed, kSlowest, kFastest); }
@@ -74,6 +79,7 @@ class ReplayTimeline {
     bool fresh_ = false;
     double time_ = 0;
     double duration_ = 0;
+    double start_ = 0;
     double speed_ = 1;
     double from_ = 0;
     std::optional<double> target_;

@@ -1,5 +1,6 @@
 // `meltpool recordings`: the stored recordings of people's attempts.
 #include "app/commands/commands.hpp"
+#include "app/library/attempts_csv.hpp"
 #include "app/library/kept_attempts.hpp"
 #include "app/library/recordings_limit.hpp"
 #include "app/library/replay_list.hpp"
@@ -13,7 +14,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 
 namespace meltpool {
@@ -72,11 +72,19 @@ bool writeTable(const std::filesystem::path& file, const std::filesystem::path& 
     return !recording.damaged();
 }
 
+/// Verdict of an attempt, or the reason why it does not count.
+std::string wordsOf(const KeptAttempt& kept) {
+    if (kept.practice) return phrase("run.recordings.practice");
+    const std::string verdict = verdictText(kept.verdict);
+    if (!kept.test) return verdict;
+    return verdict.empty() ? phrase("run.recordings.test_alone")
+                           : phrase("run.recordings.test", {{"verdict", verdict}});
+}
+
 void printAttempt(const KeptAttempt& kept) {
     const std::string score = kept.score ? std::to_string(*kept.score) : "-";
-    std::printf("%-16s  %-20s %12s %5s %-12s %9.1f MB  %s%s\n", shown(kept.when).c_str(), shown(kept.lesson).c_str(),
-                durationText(kept.seconds).c_str(), score.c_str(),
-                shown(kept.practice ? phrase("run.recordings.practice") : verdictText(kept.verdict)).c_str(),
+    std::printf("%-16s  %-20s %12s %5s %-18s %9.1f MB  %s%s\n", shown(kept.when).c_str(), shown(kept.lesson).c_str(),
+                durationText(kept.seconds).c_str(), score.c_str(), shown(wordsOf(kept)).c_str(),
                 static_cast<double>(kept.bytes) * 1e-6, shown(kept.file.filename().string()).c_str(),
                 kept.person.empty() ? "" : ("  " + shown(kept.person)).c_str());
 }
@@ -91,32 +99,6 @@ size_t removedCount(const std::filesystem::path& folder) {
     }
 }
 
-constexpr std::array kColumns{"date",    "lesson",   "lesson_file", "attempt", "seconds",    "score",
-                              "verdict", "practice", "real_time",   "ended",   "state_hash", "bytes",
-                              "program", "driver",   "file",        "person",  "person_id"};
-
-/// Values of an attempt in the list, in the order of the columns.
-std::array<Json, kColumns.size()> rowOf(const KeptAttempt& kept) {
-    const RecordingSummary summary = readRecordingSummary(kept.file);
-    const auto& end = summary.end;
-    return {summary.head.date,
-            kept.lesson,
-            kept.lessonFile,
-            summary.head.attempt,
-            kept.seconds,
-            end && end->score ? Json(*end->score) : Json(),
-            kept.verdict,
-            kept.practice,
-            end ? Json(end->realTime) : Json(),
-            kept.ended,
-            end ? end->stateHash : std::string(),
-            kept.bytes,
-            summary.head.program,
-            summary.head.driver,
-            kept.file.string(),
-            kept.person,
-            kept.personId};
-}
 
 /// Attempts of a folder in the program's order; their faults go to standard error.
 std::vector<KeptAttempt> attemptsOf(const std::filesystem::path& folder) {
@@ -131,26 +113,12 @@ void listAsJson(const std::filesystem::path& folder) {
     Json list = Json::array();
     for (const KeptAttempt& kept : attemptsOf(folder)) {
         Json attempt = Json::object();
-        const auto row = rowOf(kept);
-        for (size_t i = 0; i < kColumns.size(); ++i)
-            attempt[kColumns[i]] = row[i];
+        const auto row = attemptRow(kept);
+        for (size_t i = 0; i < kAttemptColumns.size(); ++i)
+            attempt[kAttemptColumns[i]] = row[i];
         list.push_back(std::move(attempt));
     }
     std::printf("%s\n", list.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
-}
-
-/// Value of a table by RFC 4180.
-std::string cell(const Json& value) {
-    if (value.is_null()) return {};
-    if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
-    if (value.is_number_float()) return formatNumber(value.get<double>());
-    if (!value.is_string()) return value.dump();
-    const std::string text = shown(value.get<std::string>());
-    if (text.find_first_of(",\"") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text)
-        quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + "\"";
 }
 
 /// Writes one table of all attempts, a row each.
@@ -158,18 +126,10 @@ void tabulate(const std::filesystem::path& folder, const std::filesystem::path& 
     if (isRecording(table))
         throw InputError(table, 0,
                          "is a recording; expected a table's name after it, or a single name that ends in .csv");
-    std::string text;
-    for (const char* column : kColumns)
-        text += (text.empty() ? "" : ",") + std::string(column);
     const std::vector<KeptAttempt> attempts = attemptsOf(folder);
     if (attempts.empty())
         say("%s\n", phrase("run.recordings.no_attempts", {{"folder", shown(folder.string())}}).c_str());
-    for (const KeptAttempt& kept : attempts) {
-        const auto row = rowOf(kept);
-        for (size_t i = 0; i < row.size(); ++i)
-            text += (i == 0 ? "\n" : ",") + cell(row[i]);
-    }
-    writeTextFileAtomically(table, text + "\n");
+    writeTextFileAtomically(table, attemptsCsv(attempts));
     sayResult(phraseOfCount("run.recordings.table_of_attempts", static_cast<long long>(attempts.size()),
                             {{"attempts", std::to_string(attempts.size())}, {"table", shown(table.string())}}),
               table);
@@ -182,7 +142,7 @@ void list(const std::filesystem::path& folder) {
         std::printf("%s\n", phrase("run.recordings.none", {{"folder", shown(folder.string())}}).c_str());
     } else {
         const auto column = [](std::string_view name) { return phraseOf("run.recordings.column", name).c_str(); };
-        std::printf("%-16s  %-20s %12s %5s %-12s %12s  %s\n", column("begun"), column("lesson"), column("length"),
+        std::printf("%-16s  %-20s %12s %5s %-18s %12s  %s\n", column("begun"), column("lesson"), column("length"),
                     column("score"), column("verdict"), column("size"), column("file"));
         for (const KeptAttempt& kept : attempts)
             printAttempt(kept);

@@ -319,7 +319,7 @@ void DesktopApp::preparePicture(double seconds) {
                                    static_cast<float>(pixels.x) / static_cast<float>(std::max(pixels.y, 1)));
     picture_.prepare(
         session_, controls_,
-        {pixels, covered.shift(), seconds, sections_.window.picture, screenshots_.windowAsked(), steps_.due()},
+        {pixels, {covered.shift(), menus_.lift()}, seconds, sections_.window.picture, screenshots_.windowAsked(), steps_.due()},
         &profiler_);
     figures_.picture = picture_.sentence();
 }

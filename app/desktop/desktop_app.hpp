@@ -74,6 +74,7 @@ class DesktopApp {
     void start(void (LessonSession::*begin)(Controls&));
     void moveByKeys(const InputFrame& input);
     void answerByKeys(const InputFrame& input);
+    void moveInAttempts(const InputFrame& input);
     void demonstrateByKeys(const InputFrame& input);
     void replayByKeys(const InputFrame& input);
     void goOnByKeys(const InputFrame& input);

@@ -5,18 +5,34 @@
 
 namespace meltpool {
 
+/// Handles the keys of the list of attempts: Enter plays the chosen row, Escape gives up what is open.
+void DesktopApp::moveInAttempts(const InputFrame& input) {
+    ReplayList& list = home_.attempts;
+    Activities& activities = session_.activities();
+    const auto struck = [&](Key key) {
+        return std::find(input.struck.begin(), input.struck.end(), key) != input.struck.end();
+    };
+    const bool compares = activities.at(activities.comparison);
+    const bool atRow = list.rowFocused || !ImGui::GetIO().NavVisible; // else Enter is for a button
+    const bool idle = !compares && !list.choosing && list.asking == ReplayList::Asking::nothing;
+    if (struck(Key::enter) && idle && atRow && list.selected()) {
+        list.choose(*list.selected());
+        act(MenuRequest::replay);
+    }
+    if (!struck(Key::escape)) return;
+    if (compares)
+        activities.endComparison();
+    else if (list.asking != ReplayList::Asking::nothing)
+        list.asking = ReplayList::Asking::nothing;
+    else if (!list.choosing) // Dear ImGui itself closes the open lessons
+        list.hide();
+}
+
 /// Handles the keys of the pages before a lesson runs.
 void DesktopApp::moveByKeys(const InputFrame& input) {
     if (menus_.panels.overlaid()) return;
     if (home_.open && home_.who.asked()) return answerByKeys(input);
-    if (home_.open && home_.attempts.shown()) {
-        if (std::find(input.struck.begin(), input.struck.end(), Key::escape) == input.struck.end()) return;
-        if (Activities& activities = session_.activities(); activities.at(activities.comparison))
-            activities.endComparison();
-        else
-            home_.attempts.hide();
-        return;
-    }
+    if (home_.open && home_.attempts.shown()) return moveInAttempts(input);
     if (home_.open && std::find(input.struck.begin(), input.struck.end(), Key::tab) != input.struck.end())
         return home_.attempts.show();
     for (const Key key : input.pressed) {

@@ -4,6 +4,7 @@
 #include "app/platform/open_file.hpp"
 #include "app/session/attempt_page.hpp"
 #include "core/base/error.hpp"
+#include "core/base/resources.hpp"
 #include "core/base/words.hpp"
 #include "core/training/lesson/lesson_folders.hpp"
 #include "core/training/lesson/plausibility.hpp"
@@ -145,6 +146,21 @@ void DesktopLessons::tryCure(double now) {
     } catch (const std::exception& fault) {
         messages_.warn(phrase("desk.message.not_tried", {{"reason", fault.what()}}), now, "start");
     }
+}
+
+void DesktopLessons::showKeptPage(double now) {
+    try {
+        const std::filesystem::path page = keptAttemptPage(home_.attempts.chosen());
+        openForPerson(page);
+        messages_.note(phrase("desk.message.kept_page", {{"file", page.string()}}), now, "page");
+    } catch (const std::exception& fault) {
+        messages_.warn(phrase("desk.message.page_not_written", {{"reason", fault.what()}}), now, "page");
+    }
+}
+
+void DesktopLessons::exportAttempts() {
+    const std::filesystem::path table = home_.attempts.exportRows(keptFolder() / "tables");
+    if (!table.empty()) openForPerson(table);
 }
 
 void DesktopLessons::keepScore(double zoom, double now) {

@@ -42,6 +42,10 @@ class DesktopLessons {
     bool weldBeside(const std::filesystem::path& file, double now);
     /// Compares the two attempts marked in their list; if it cannot, a message says why.
     void compare(double now);
+    /// Shows the page of the attempt chosen in the list, and makes it first if it has none.
+    void showKeptPage(double now);
+    /// Writes the list's shown rows as a table, and shows it if the desktop can.
+    void exportAttempts();
 
     /// Ends the judged attempt and compares it with itself under the chosen remedy, in the list of attempts; if it
     /// cannot, a message says why.

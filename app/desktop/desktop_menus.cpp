@@ -28,7 +28,6 @@ float DesktopMenus::coveredRight() {
     return panels.simulation && !panels.hidden && !machineWaits_ ? ui::panelReach(interface_.context()) : 0;
 }
 
-CoveredEdges DesktopMenus::covered() {
     const glm::vec2 size = glm::max(window_.size(), glm::ivec2(1));
     const float bar = panels.hidden ? 0 : ui::barHeight(interface_.context()) / size.y;
     CoveredEdges covered{coveredLeft() / size.x, coveredRight() / size.x, bar, bar};
@@ -37,12 +36,20 @@ CoveredEdges DesktopMenus::covered() {
     return covered;
 }
 
+float DesktopMenus::lift() {
+    const ui::Context& context = interface_.context();
+    if (!replays_ || panels.hidden) return 0;
+    const auto height = static_cast<float>(std::max(window_.size().y, 1));
+    return std::min(context.replayHeight + context.points(10), 0.6f * height) / height;
+}
+
 MenuRequest DesktopMenus::draw(const DesktopMenuContent& content) {
     ui::Context& context = interface_.context();
     LessonSession& session = content.session;
     // The machine panel would cover the demonstration's controls in a narrow window.
     const Activities& activities = session.activities();
     const bool covers = activities.at(activities.demonstration) && ui::narrowerThan(context, 760);
+    replays_ = session.running() && activities.at(activities.replay);
     machineWaits_ = session.picture().cut().shown() || activities.at(activities.replay) || covers;
     MenuRequest request = MenuRequest::none;
     if (content.home.open)

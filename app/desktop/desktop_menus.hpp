@@ -7,6 +7,8 @@
 #include "app/ui/panels.hpp"
 #include "core/render/framing.hpp"
 
+#include <glm/vec2.hpp>
+
 #include <span>
 #include <string>
 
@@ -41,18 +43,22 @@ class DesktopMenus {
 
     /// Edges of the window that panels and bars cover. Panels that leave no room for the metal do not count.
     CoveredEdges covered();
+    /// Distance by which the picture is raised over the panel of a replay, as a share of half the height.
+    float lift();
 
   private:
     MenuRequest drawPanels(const DesktopMenuContent& content);
     void closeOverlapping();
     float coveredLeft();
     float coveredRight();
+    float coveredBelow();
 
     const Window& window_;
     ui::Interface& interface_;
     /// The machine panel is not drawn: its values would change nothing (weld cut open, attempt replayed), or it has no
     /// room.
     bool machineWaits_ = false;
+    bool replays_ = false;         ///< the replay's panel is shown
     bool resultFromTop_ = false;   ///< the next frame shows the result's top
     bool resultIsNewer_ = false;   ///< the result opened after the panels at its place
     bool timingsAreNewer_ = false; ///< choice if both panels at the left are open in the next frame

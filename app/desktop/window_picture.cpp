@@ -63,7 +63,8 @@ Image WindowPicture::large(LessonSession& session) {
     wish.size = fitInto(pixels_, wish.size);
     if (session.picture().look().mode == kPointsMode) wish.margin = kPointMargin;
     View view = shown_.view;
-    view.eyeToClip[2][0] += shift_;
+    view.eyeToClip[2][0] += shift_.x;
+    view.eyeToClip[2][1] += shift_.y;
     session.picture().setDetail(kHighDetail);
     DeskPicture tile = shown_;
     const Image image = drawLargePicture(wish, view, [&](const View& part, const RenderTarget& target) {

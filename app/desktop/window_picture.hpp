@@ -13,7 +13,7 @@ namespace meltpool {
 /// Request of the window for a picture.
 struct PictureWish {
     glm::ivec2 pixels{0};      ///< size of the window
-    float middle = 0;          ///< middle of the uncovered part, see CoveredEdges::shift()
+    glm::vec2 middle{0};       ///< middle of the uncovered part: CoveredEdges::shift(), DesktopMenus::lift()
     double seconds = 0;        ///< duration of the last frame
     int setting = 0;           ///< index into pictureChoices()
     bool whole = false;        ///< draw all pixels whatever the setting: the picture is to be saved
@@ -48,7 +48,7 @@ class WindowPicture {
     DeskPicture shown_;
     PictureLevel level_ = PictureLevel::full; ///< level of shown_
     glm::ivec2 pixels_{0};
-    float shift_ = 0; ///< shift of shown_, see LessonPicture::atDesk()
+    glm::vec2 shift_{0}; ///< shift of shown_, see LessonPicture::atDesk()
     std::string_view sentence_;
     bool counts_ = false; ///< the last picture was drawn at the budget's level
     bool stands_ = false;

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace meltpool {
@@ -93,14 +94,33 @@ std::string flag(bool value) {
     return value ? "true" : "false";
 }
 
-std::string tableOf(const std::string& lesson, const BestScore& best, const CueSkill& skill) {
-    return "\n[" + tomlText(lesson) + "]\nscore = " + formatNumber(best.score) + "\naccepted = " + flag(best.accepted) +
+std::string entriesOf(const BestScore& best) {
+    return "score = " + formatNumber(best.score) + "\naccepted = " + flag(best.accepted) +
            "\nzoom = " + formatNumber(best.zoom) + "\nfor_score = " + flag(best.forScore) +
            "\nguided = " + flag(best.guided) + "\nchanged = " + flag(best.changed) +
            "\nreal_time = " + formatNumber(static_cast<float>(best.realTime)) + "\ncues = " + cueList(best.cues) +
-           "\npractised = " + skillTable(skill) + "\n" +
-           (best.ghost.empty() ? "" : "ghost = " + tomlText(best.ghost) + "\n") +
+           "\n" + (best.ghost.empty() ? "" : "ghost = " + tomlText(best.ghost) + "\n") +
            (best.chosen.empty() ? "" : "chosen = " + tomlText(best.chosen) + "\n");
+}
+
+/// Table of a lesson: its best score in practice and its skill, and below it the best score in tests.
+std::string tableOf(const std::string& lesson, const BestScore* best, const BestScore* test, const CueSkill& skill) {
+    std::string text = "\n[" + tomlText(lesson) + "]\n" + (best == nullptr ? std::string() : entriesOf(*best)) +
+                       "practised = " + skillTable(skill) + "\n";
+    if (test != nullptr) text += "[" + tomlText(lesson) + ".test]\n" + entriesOf(*test);
+    return text;
+}
+
+const BestScore* scoreIn(const std::map<std::string, BestScore, std::less<>>& scores, std::string_view lesson) {
+    const auto found = scores.find(lesson);
+    return found == scores.end() ? nullptr : &found->second;
+}
+
+void takeBetter(std::map<std::string, BestScore, std::less<>>& own,
+                const std::map<std::string, BestScore, std::less<>>& others) {
+    for (const auto& [lesson, theirs] : others)
+        if (const BestScore* best = scoreIn(own, lesson); best == nullptr || theirs.score > best->score)
+            own[lesson] = theirs;
 }
 
 CueSkill skillIn(const std::map<std::string, CueSkill, std::less<>>& skills, std::string_view lesson) {
@@ -129,7 +149,8 @@ std::optional<BestScore> countedScore(const Judgement& judgement) {
 }
 
 std::string bestScoreText(const BestScore& best) {
-    std::string text = phrase("best.score", {{"score", PhraseNumber(std::round(best.score))}});
+    std::string text =
+        phrase(best.forScore ? "best.test" : "best.score", {{"score", PhraseNumber(std::round(best.score))}});
     const auto add = [&](std::string_view more) {
         text += phrase("list.separator");
         text += more;
@@ -170,6 +191,24 @@ BestScores::Content BestScores::load(bool again) {
     return content;
 }
 
+/// Reads a lesson's table. In a file of an earlier version its score may be one of a test.
+void BestScores::readLesson(TomlTable& table, const std::string& lesson, Content& content) {
+    table.allow("test");
+    if (table.has("test")) {
+        TomlTable test = table.table("test");
+        BestScore best = readBest(test);
+        best.forScore = true;
+        test.finish();
+        content.tests.emplace(lesson, best);
+    }
+    if (!table.has("test") || table.has("score")) {
+        const BestScore best = readBest(table);
+        (best.forScore ? content.tests : content.best).emplace(lesson, best);
+    }
+    content.skills.emplace(lesson, readSkill(table));
+    table.finish();
+}
+
 BestScores::Content BestScores::read() {
     const toml::table parsed = parseTomlFile(file_);
     TomlTable root(parsed, file_);
@@ -177,11 +216,11 @@ BestScores::Content BestScores::read() {
     for (const std::string& lesson : root.keys()) {
         try {
             TomlTable table = root.table(lesson);
-            const BestScore best = readBest(table);
-            const CueSkill skill = readSkill(table);
-            table.finish();
-            content.best.emplace(lesson, best);
-            content.skills.emplace(lesson, skill);
+            Content one;
+            readLesson(table, lesson, one);
+            content.best.merge(one.best);
+            content.tests.merge(one.tests);
+            content.skills.merge(one.skills);
         } catch (const InputError& fault) {
             faults_.push_back(printable(fault.what(), kMostBytes));
         }
@@ -190,15 +229,19 @@ BestScores::Content BestScores::read() {
 }
 
 const BestScore* BestScores::find(std::string_view lesson) const {
-    const auto found = content_.best.find(lesson);
-    return found == content_.best.end() ? nullptr : &found->second;
+    return scoreIn(content_.best, lesson);
+}
+
+const BestScore* BestScores::findTest(std::string_view lesson) const {
+    return scoreIn(content_.tests, lesson);
 }
 
 bool BestScores::offer(const std::string& lesson, const BestScore& score) {
-    if (const BestScore* known = find(lesson); known != nullptr && known->score >= score.score) return false;
-    content_.best[lesson] = score;
+    Scores& scores = score.forScore ? content_.tests : content_.best;
+    if (const BestScore* known = scoreIn(scores, lesson); known != nullptr && known->score >= score.score) return false;
+    scores[lesson] = score;
     save();
-    return content_.best[lesson].score <= score.score; // another program may have written a better one
+    return scores[lesson].score <= score.score; // another program may have written a better one
 }
 
 CueSkill BestScores::skill(std::string_view lesson) const {
@@ -210,7 +253,7 @@ CueSkill BestScores::beginAttempt(const std::string& lesson) {
 }
 
 void BestScores::practise(const std::string& lesson, const CueSkill& skill) {
-    if (find(lesson) == nullptr) return;
+    if (find(lesson) == nullptr && findTest(lesson) == nullptr) return;
     const CueSkill before = this->skill(lesson);
     const CueSkill after = practisedOn(before, attempted_.try_emplace(lesson, before).first->second, skill);
     attempted_[lesson] = skill;
@@ -224,14 +267,17 @@ void BestScores::save() {
     const FileTurn turn(file_);
     const Content others = load(true);
     if (!writable_) return;
-    for (const auto& [lesson, theirs] : others.best)
-        if (const BestScore* own = find(lesson); own == nullptr || theirs.score > own->score)
-            content_.best[lesson] = theirs;
+    takeBetter(content_.best, others.best);
+    takeBetter(content_.tests, others.tests);
     for (const auto& [lesson, theirs] : others.skills)
         content_.skills[lesson] = practisedOn(theirs, skillIn(written_, lesson), skill(lesson));
     std::string text = "# Best scores of the Meltpool trainer; written after an attempt that beats the one before.\n";
-    for (const auto& [lesson, best] : content_.best)
-        text += tableOf(lesson, best, skill(lesson));
+    std::set<std::string> lessons;
+    for (const Scores* scores : {&content_.best, &content_.tests})
+        for (const auto& [lesson, best] : *scores)
+            lessons.insert(lesson);
+    for (const std::string& lesson : lessons)
+        text += tableOf(lesson, find(lesson), findTest(lesson), skill(lesson));
     written_ = others.skills; // new counts add to these until they are in the file
     writeFile(file_, text);
     written_ = content_.skills;

@@ -13,6 +13,8 @@
 
 namespace meltpool {
 
+class TomlTable;
+
 /// Simulated over real time below which no attempt for score starts, and which a best score reports.
 inline constexpr double kLeastSpeedForScore = 0.95;
 
@@ -37,8 +39,9 @@ std::optional<BestScore> countedScore(const Judgement& judgement);
 /// Text of a best score: "Best 84, accepted, zoom 4, voltage 22 V".
 std::string bestScoreText(const BestScore& best);
 
-/// Best scores in a file. Other programs may use the file too, on other machines: a write merges with its current
-/// contents, the better score of each lesson, and new attempts at a cue are added to its counts.
+/// Best scores in a file, those of tests apart from practice. Other programs may use the file too, on other machines: a
+/// write merges with its current contents, the better score of each lesson, and new attempts at a cue are added to its
+/// counts.
 class BestScores {
   public:
     /// Reads `file`, a TOML table for each lesson; a missing one is no fault. Never throws for its contents: a faulty
@@ -52,11 +55,12 @@ class BestScores {
     /// another program has brought in since are added when the file is written.
     const std::vector<std::string>& faults() const { return faults_; }
 
-    /// Best score of a lesson; null if no attempt at it counts yet.
+    /// Best score of a lesson in practice, and in tests; null if no attempt of that kind counts yet.
     const BestScore* find(std::string_view lesson) const;
+    const BestScore* findTest(std::string_view lesson) const;
 
-    /// Takes a score that is better than the lesson's best so far, and writes the file. Returns true if it is better.
-    /// Throws whatever FileTurn and writeFile() throw; the score is then held until the program ends.
+    /// Takes a score that is better than the lesson's best of its kind so far, and writes the file. Returns true if it
+    /// is better. Throws whatever FileTurn and writeFile() throw; the score is then held until the program ends.
     bool offer(const std::string& lesson, const BestScore& score);
 
     /// Skill of the trainee at the lesson, from which its cues fade.
@@ -69,15 +73,18 @@ class BestScores {
 
   private:
     using Skills = std::map<std::string, CueSkill, std::less<>>;
+    using Scores = std::map<std::string, BestScore, std::less<>>;
 
     /// Content of the file.
     struct Content {
-        std::map<std::string, BestScore, std::less<>> best;
-        Skills skills; ///< skills of the lessons in `best`
+        Scores best;   ///< in practice
+        Scores tests;  ///< in attempts for score
+        Skills skills; ///< skills of the lessons in both
     };
 
     Content load(bool again);
     Content read();
+    static void readLesson(TomlTable& table, const std::string& lesson, Content& content);
     void save();
 
     std::filesystem::path file_;

@@ -1,5 +1,6 @@
 #include "app/library/kept_attempts.hpp"
 
+#include "app/library/attempt_title.hpp"
 #include "core/base/error.hpp"
 #include "core/base/resources.hpp"
 #include "core/training/attempt/recording_reader.hpp"
@@ -38,6 +39,8 @@ Dated readKept(const fs::path& file) {
     kept.personId = summary.head.personId;
     kept.bytes = summary.bytes;
     kept.practice = summary.redone > 0;
+    kept.test = summary.forScore;
+    kept.title = readTitle(file);
     if (summary.end) {
         if (summary.end->score) kept.score = static_cast<int>(std::lround(*summary.end->score));
         kept.verdict = summary.end->verdict;
@@ -47,6 +50,10 @@ Dated readKept(const fs::path& file) {
 }
 
 } // namespace
+
+KeptAttempt readKeptAttempt(const fs::path& file) {
+    return readKept(file).attempt;
+}
 
 fs::path recordingsFolder() {
     return keptFolder() / "recordings";

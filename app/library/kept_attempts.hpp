@@ -26,7 +26,12 @@ struct KeptAttempt {
     std::uint64_t bytes = 0;  ///< size of the file
     std::string person = {};  ///< name of the person who welded; empty: not named
     std::string personId = {}; ///< see AttemptHead
+    bool test = false;        ///< true: welded for score
+    std::string title;        ///< name that a person gave it; empty: none
 };
+
+/// A recording's entry. Reads its head and end. Throws InputError if it is none.
+KeptAttempt readKeptAttempt(const std::filesystem::path& file);
 
 /// Recordings of a folder, newest first, by the moment of their start. Reads heads and ends only. `faults`, if given,
 /// gets a sentence for each file that has a recording's name and is none. A missing folder has none.

@@ -56,6 +56,7 @@ class RecordingKeeper {
 
     /// Recording of the running attempt; null: it has none.
     RecordingWriter* current() { return current_.get(); }
+    const RecordingWriter* current() const { return current_.get(); }
     const std::shared_ptr<RecordingWriter>& writer() const { return current_; }
     /// Recording of the newest attempt that has one.
     const std::filesystem::path& file() const { return newest_; }

@@ -1,5 +1,7 @@
 #include "app/library/recordings_limit.hpp"
 
+#include "app/library/attempt_title.hpp"
+#include "app/library/deleted_attempts.hpp"
 #include "core/base/words.hpp"
 #include "core/training/attempt/recording_reader.hpp"
 
@@ -21,6 +23,7 @@ constexpr std::string_view kDate = "0000-00-00_00-00-00_";
 struct File {
     fs::path path;
     std::uint64_t bytes = 0;
+    bool kept = true;  ///< false: a person has deleted it
     Moment began = {}; ///< set by removable()
 };
 
@@ -37,25 +40,31 @@ bool isOwnName(const fs::path& file) {
     return true;
 }
 
-std::vector<File> ownFiles(const fs::path& folder) {
-    std::vector<File> files;
+void addOwnFiles(std::vector<File>& files, const fs::path& folder, bool kept) {
     std::error_code failure;
     for (const auto& entry : fs::directory_iterator(folder, failure)) {
         if (!isOwnName(entry.path())) continue;
         const std::uint64_t bytes = fs::file_size(entry.path(), failure);
-        if (!failure) files.push_back({entry.path(), bytes});
+        if (!failure) files.push_back({entry.path(), bytes, kept});
     }
+}
+
+std::vector<File> ownFiles(const fs::path& folder) {
+    std::vector<File> files;
+    addOwnFiles(files, folder, true);
+    addOwnFiles(files, folder / kDeletedFolder, false);
     return files;
 }
 
-/// Files that may be removed, oldest first. Reads the head of each.
+/// Files that may be removed, deleted ones first, then the oldest. Reads the head of each.
 std::vector<File> removable(std::vector<File> files, std::span<const fs::path> spared) {
     std::erase_if(files,
                   [&](const File& file) { return std::find(spared.begin(), spared.end(), file.path) != spared.end(); });
     for (File& file : files)
         file.began = beginOf(file.path);
-    std::sort(files.begin(), files.end(),
-              [](const File& a, const File& b) { return std::tie(a.began, a.path) < std::tie(b.began, b.path); });
+    std::sort(files.begin(), files.end(), [](const File& a, const File& b) {
+        return std::tie(a.kept, a.began, a.path) < std::tie(b.kept, b.began, b.path);
+    });
     return files;
 }
 
@@ -115,6 +124,7 @@ std::string keepWithinLimit(const fs::path& folder, std::uint64_t limit, std::sp
         const bool ours = fs::remove(files[i].path, failure);
         if (failure) continue;
         bytes -= files[i].bytes;
+        fs::remove(titleFile(files[i].path), failure);
         if (ours) removed.push_back(&files[i]); // otherwise another program has removed it
     }
     if (removed.empty()) return {};

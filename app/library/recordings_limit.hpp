@@ -21,12 +21,12 @@ ParameterList describe(RecordingParameters& parameters);
 std::filesystem::path recordingName(const std::filesystem::path& folder, const std::string& date,
                                     const std::string& lesson, int attempt);
 
-/// Bytes of files that recordingName() has named; renamed ones are neither counted nor removed.
+/// Bytes of files that recordingName() has named, deleted ones too; renamed ones are neither counted nor removed.
 std::uint64_t recordedBytes(const std::filesystem::path& folder);
 
-/// Removes recordings beyond `limit` bytes, those whose attempts began first, and notes each in the folder's
-/// kRemovedList. Those in `spared`, of this run of the program, are never removed. Returns a sentence for the person,
-/// which names them; empty if none was removed.
+/// Removes recordings beyond `limit` bytes, deleted ones first, then those that began first, and notes each in the
+/// folder's kRemovedList. Those in `spared`, of this run of the program, are never removed. Returns a sentence for the
+/// person, which names them; empty if none was removed.
 std::string keepWithinLimit(const std::filesystem::path& folder, std::uint64_t limit,
                             std::span<const std::filesystem::path> spared = {});
 

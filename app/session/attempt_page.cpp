@@ -2,12 +2,14 @@
 
 #include "app/platform/program_info.hpp"
 #include "app/report/attempt_pictures.hpp"
+#include "app/report/record_results.hpp"
 #include "app/report/report_page.hpp"
 #include "app/session/lesson_session.hpp"
 #include "core/base/error.hpp"
 #include "core/base/output_file.hpp"
 #include "core/base/resources.hpp"
 #include "core/base/text.hpp"
+#include "core/training/lesson/lesson_folders.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -49,6 +51,16 @@ fs::path freeName(const fs::path& wanted) {
     return name;
 }
 
+/// The user's folder of pages; makes it if it is missing.
+fs::path pagesFolder() {
+    const fs::path folder = keptFolder() / "pages";
+    std::error_code failure;
+    fs::create_directories(folder, failure);
+    if (failure || !fs::is_directory(folder, failure))
+        throw InputError(folder, 0, "cannot be created; expected a parent folder with write permission");
+    return folder;
+}
+
 } // namespace
 
 std::string attemptPage(LessonScene& scene, Renderer& renderer, const Judgement& judgement, const AttemptFacts& facts,
@@ -76,15 +88,32 @@ fs::path attemptPageName(const fs::path& record, const std::string& lesson, cons
         fs::path page = record;
         return freeName(page.replace_extension(".html"));
     }
-    const fs::path folder = keptFolder() / "pages";
-    std::error_code failure;
-    fs::create_directories(folder, failure);
-    if (failure || !fs::is_directory(folder, failure))
-        throw InputError(folder, 0, "cannot be created; expected a parent folder with write permission");
     std::string name = lesson + " " + date + ".html";
     std::replace(name.begin(), name.end(), ':', '.');
-    return freeName(folder / name);
+    return freeName(pagesFolder() / name);
 }
+
+fs::path keptAttemptPage(const fs::path& recording) {
+    const fs::path page = pagesFolder() / (recording.stem().string() + ".html");
+    std::error_code missing;
+    if (fs::is_regular_file(page, missing)) return page;
+    const auto attempt = readRecordedAttempt(recording);
+    if (!attempt) throw InputError(recording, 0, "is no recorded attempt; expected a recording");
+    writeFile(page, reportPage(readRecordResults(recording, findLessonOf(*attempt, LessonFolders::ofUser()))));
+    return page;
+}
+
+namespace {
+
+/// Name of the running attempt's page: next to its record, or by the name of its recording, or by its lesson.
+fs::path pageOf(const AttemptLog& log, const std::string& lesson, const std::string& date) {
+    const fs::path record = log.records().wholeFile();
+    const bool recorded = log.recordings().current() != nullptr;
+    if (!record.empty() || !recorded) return attemptPageName(record, lesson, date);
+    return freeName(pagesFolder() / (log.recordings().file().stem().string() + ".html"));
+}
+
+} // namespace
 
 std::filesystem::path writeAttemptPage(LessonSession& session, double zoom, const std::string& driver) {
     const Attempt& attempt = session.attempt();
@@ -103,8 +132,7 @@ std::filesystem::path writeAttemptPage(LessonSession& session, double zoom, cons
     facts.changed = values.workpieceChanged() || values.settingsChanged();
     if (const CueSet used = attempt.cues().used(); !used.empty()) facts.cues = used.names();
     facts.ghost = attempt.ghost().used();
-    const std::filesystem::path page =
-        attemptPageName(session.log().records().wholeFile(), session.lesson().key, facts.head.date);
+    const fs::path page = pageOf(session.log(), session.lesson().key, facts.head.date);
     writeFile(page, attemptPage(*session.run().scene(), session.picture().renderer(), judgement, facts, driver));
     session.run().metalChanged();
     session.run().clock().restart(); // the metal does not catch up on the time that the page took

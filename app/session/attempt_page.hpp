@@ -22,6 +22,11 @@ std::string attemptPage(LessonScene& scene, Renderer& renderer, const Judgement&
 std::filesystem::path attemptPageName(const std::filesystem::path& record, const std::string& lesson,
                                       const std::string& date);
 
+/// Page of a stored recording in keptFolder() / "pages": the one that was written of its judged weld, or one that is
+/// made of the recording alone. Throws InputError if the recording or its lesson cannot be used, or the page cannot be
+/// written.
+std::filesystem::path keptAttemptPage(const std::filesystem::path& recording);
+
 /// Writes the page of the session's judged attempt next to its record, or into the user's folder if it has none, and
 /// returns its path. `zoom`: scale at which the workpiece was shown. `driver`: name of the graphics driver. Waits for
 /// the GPU. Throws InputError when nothing is judged or the place is not writable, RuntimeFault when driver or memory

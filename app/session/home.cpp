@@ -108,8 +108,8 @@ bool Home::takeMoved() {
 
 std::string Home::standing(const CataloguedLesson& lesson) const {
     std::string text = levelText(lesson.level);
-    if (const BestScore* best = scores.find(lesson.key))
-        text += (text.empty() ? "" : " \xC2\xB7 ") + bestScoreText(*best);
+    for (const BestScore* best : {scores.find(lesson.key), scores.findTest(lesson.key)})
+        if (best != nullptr) text += (text.empty() ? "" : " \xC2\xB7 ") + bestScoreText(*best);
     return text;
 }
 

@@ -116,7 +116,7 @@ float LessonPicture::bottom() const {
     return (glm::dot(vertical, lowest) + scene.modelToWorld[3].y) * kClassicUnit;
 }
 
-DeskPicture LessonPicture::atDesk(const Controls& controls, float aspect, float shift, bool surfaceLater,
+DeskPicture LessonPicture::atDesk(const Controls& controls, float aspect, const glm::vec2& shift, bool surfaceLater,
                                   gl::Profiler* profiler) {
     noteSurface();
     if (shown() != nullptr && !surfaceLater) shown()->makeSurface(profiler);
@@ -136,7 +136,8 @@ DeskPicture LessonPicture::atDesk(const Controls& controls, float aspect, float 
     const LookParameters& look = source_.lesson.look;
     visor_.update(seenArc(scene, view, source_.run.arc().length), visorOf(look), look, std::exchange(sinceSeen_, 0));
     if (look.adaptation) scene.afterImage = visor_.eye().afterImage();
-    view.eyeToClip[2][0] -= shift; // clip x over w, and w is -z in the eye
+    view.eyeToClip[2][0] -= shift.x; // clip x over w, and w is -z in the eye
+    view.eyeToClip[2][1] -= shift.y;
     lookThroughTable(scene, view);
     scene.ghost = ghostMarkers(scene, view);
     scene.markers = cueMarkers(scene, view);

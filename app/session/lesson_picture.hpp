@@ -66,9 +66,10 @@ class LessonPicture {
     /// Scene with the current surface.
     SceneView scene(gl::Profiler* profiler);
     /// Picture of the lesson from the desk's camera. `aspect`: width over height; `shift`: of the picture's middle to
-    /// the right of the window's, as a share of half the window's width. Valid until the lesson's next steps are
-    /// finished. `surfaceLater`: leaves the surface to completeSurface().
-    DeskPicture atDesk(const Controls& controls, float aspect, float shift, bool surfaceLater, gl::Profiler* profiler);
+    /// the right of the window's and above it, as a share of half the window's width and height. Valid until the
+    /// lesson's next steps are finished. `surfaceLater`: leaves the surface to completeSurface().
+    DeskPicture atDesk(const Controls& controls, float aspect, const glm::vec2& shift, bool surfaceLater,
+                       gl::Profiler* profiler);
     /// Makes the surface that atDesk() left for later.
     void completeSurface(DeskPicture& picture, gl::Profiler* profiler);
     void draw(const DeskPicture& picture, const RenderTarget& target, gl::Profiler* profiler);

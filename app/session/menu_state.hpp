@@ -44,6 +44,8 @@ enum class MenuRequest {
     replay,            ///< the stored attempt chosen in the list
     ghost,             ///< an attempt of one's own, with the chosen one's torch as a ghost
     compare,           ///< the two marked stored attempts
+    keptPage,          ///< the page of the stored attempt chosen in the list
+    exportAttempts,    ///< the list's shown rows, written as a table
     startWithDefaults, ///< the lesson, with its own values
     reset,             ///< another attempt
     restart,           ///< back to the lesson's first page

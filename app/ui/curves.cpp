@@ -61,12 +61,13 @@ void drawBand(ImDrawList& draw, const CurveSheet& sheet, const CurveBand& band) 
     draw.AddLine(at(sheet.left, y), at(sheet.right, y), kIdeal);
 }
 
-void drawAxes(Context& context, ImDrawList& draw, const CurveSheet& sheet) {
+void drawAxes(Context& context, ImDrawList& draw, const CurveSheet& sheet, std::string_view placeUnit) {
     draw.AddLine(at(sheet.left, sheet.top), at(sheet.left, sheet.bottom), kAxis);
     draw.AddLine(at(sheet.left, sheet.bottom), at(sheet.right, sheet.bottom), kAxis);
     const double half = static_cast<double>(ImGui::GetTextLineHeight()) / 2,
                  gap = static_cast<double>(context.points(5));
-    const CurveTicks values = curveTicks(sheet.values, 3);
+    const bool high = sheet.bottom - sheet.top >= static_cast<double>(context.points(64));
+    const CurveTicks values = curveTicks(sheet.values, high ? 4 : 3);
     for (int k = 0; k < values.count; ++k) {
         const ShortText text = niceNumber(values.at(k));
         const double width = static_cast<double>(ImGui::CalcTextSize(text.c_str()).x);
@@ -74,10 +75,13 @@ void drawAxes(Context& context, ImDrawList& draw, const CurveSheet& sheet) {
     }
     const CurveTicks places = curveTicks(sheet.places, 5);
     for (int k = 0; k < places.count; ++k) {
-        const ShortText text = niceNumber(places.at(k));
+        const ShortText number = niceNumber(places.at(k));
+        const bool last = k + 1 == places.count; // it has the unit
+        const ShortText text = last ? ShortText{number, " ", placeUnit} : number;
         const double width = static_cast<double>(ImGui::CalcTextSize(text.c_str()).x), x = sheet.x(places.at(k));
+        const double most = sheet.right - width;
         draw.AddLine(at(x, sheet.bottom), at(x, sheet.bottom + gap / 2), kAxis);
-        draw.AddText(at(x - width / 2, sheet.bottom + gap / 2), colour::kQuiet, text.c_str());
+        draw.AddText(at(std::min(x - width / 2, most), sheet.bottom + gap / 2), colour::kQuiet, text.c_str());
     }
 }
 
@@ -112,6 +116,14 @@ std::optional<size_t> nearest(const CurveSeries& series, double place) {
         least = distance;
     }
     return found;
+}
+
+/// True if one of the curves has a value at this place, or within its gap.
+bool knownAt(std::span<const CurveSeries> series, double place) {
+    return std::any_of(series.begin(), series.end(), [place](const CurveSeries& each) {
+        const auto point = nearest(each, place);
+        return point && std::abs(each.place(*point) - place) <= each.gap;
+    });
 }
 
 /// Writes two or three digits behind the point, as the number's size needs.
@@ -186,10 +198,13 @@ CurveAnswer curveChart(Context& context, const CurveChart& chart, std::span<cons
     appendPhrase(title, "curve.title", {{"quantity", chart.title}, {"unit", chart.unit}});
     draw.AddText(corner, colour::kText, title.c_str());
     if (chart.band && !sheet.values.empty()) drawBand(draw, sheet, *chart.band);
-    drawAxes(context, draw, sheet);
+    drawAxes(context, draw, sheet, chart.placeUnit);
     for (const CurveSeries& each : series)
         drawLine(context, draw, sheet, each);
-    if (answer.hovered) drawPointed(context, draw, chart, series, sheet, answer.under, corner.y);
+    if (answer.hovered)
+        drawPointed(context, draw, chart, series, sheet, answer.under, corner.y);
+    else if (chart.cursor && knownAt(series, *chart.cursor))
+        drawPointed(context, draw, chart, series, sheet, *chart.cursor, corner.y);
     return answer;
 }
 

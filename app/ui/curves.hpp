@@ -34,6 +34,7 @@ struct CurveChart {
     CurveRange places =
         {};            ///< shown places in addition to the points' own; with them the chart appears before any value
     float height = 84; ///< points
+    std::optional<double> cursor = {}; ///< place whose value is shown while the pointer is elsewhere
 };
 
 /// Outcome of a drawn chart.

@@ -14,7 +14,6 @@ constexpr float kRowHeight = 70;     ///< points, of a lesson on the headset's p
 constexpr float kRowWidth = 300;     ///< points, the least in a low window
 constexpr float kLowWindow = 420;    ///< points
 constexpr size_t kRowsAPage = 4;     ///< rows on the headset's panel
-constexpr size_t kAttemptsAPage = 8; ///< attempts a page in the window
 constexpr size_t kAttemptsOnPanel = 6;
 constexpr float kPictureShape = 16.0f / 9;
 
@@ -192,12 +191,12 @@ MenuRequest homePage(Context& context, Home& home, Activities& activities, const
     if (!low) quietText(context, phrase(words.hint));
     ImGui::EndGroup();
     if (!home.who.asked()) personsButton(context, home.who, true);
-    ImGui::BeginChild("lessons", {0, -context.points(44)});
+    beginFlatChild("lessons", {0, -context.points(44)});
     MenuRequest request = MenuRequest::none;
     if (home.who.asked())
         request = personsPart(context, home.who, true);
     else if (home.attempts.shown())
-        request = attemptList(context, home, activities, kAttemptsAPage);
+        request = attemptTable(context, home, activities);
     else if (lessonGrid(context, home))
         request = MenuRequest::openLesson;
     ImGui::EndChild();

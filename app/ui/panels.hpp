@@ -17,6 +17,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace meltpool::ui {
 
@@ -68,7 +69,10 @@ MenuRequest demonstrationPart(Context& context, LessonSession& session);
 MenuRequest replayBar(Context& context, LessonSession& session);
 /// Draws a saved attempt inside the current window, for the headset's panel.
 MenuRequest replayPart(Context& context, LessonSession& session);
-/// Draws the saved attempts, newest first, `rows` a page, inside the current window; the comparison of two of them
+/// Draws the saved attempts as a table, inside the current window: filter, headings that sort, as many rows as fit, and
+/// the buttons of the chosen one. The comparison of two replaces it during that activity.
+MenuRequest attemptTable(Context& context, Home& home, Activities& activities);
+/// Draws the saved attempts, newest first, `rows` a page, for the headset's panel; the comparison of two of them
 /// replaces the list during that activity.
 MenuRequest attemptList(Context& context, Home& home, Activities& activities, size_t rows);
 /// Draws two attempts next to each other: the remaining welds, then difference, figures and curves of both, inside the
@@ -78,11 +82,13 @@ void comparisonPart(Context& context, Activities& activities);
 float resultReach(const Context& context);
 /// Draws the judged attempt at the left: score, corrections, verdict, measured weld. `fromTop`: scrolls to its top.
 MenuRequest resultPanel(Context& context, LessonSession& session, const Home& home, bool fromTop);
-/// Draws score and verdict of the judged attempt inside the current window.
-void resultHead(Context& context, const LessonSession& session, const Home& home);
 /// Draws a likely cause and remedy for each imperfection that fails, inside the current window. `tries`: with a button
 /// for each that a what-if can try. Returns the pressed one. Allocates nothing.
 std::optional<size_t> curesPart(Context& context, std::span<const CureRow> cures, bool tries);
+/// Draws score and verdict of the judged attempt inside the current window.
+void resultHead(Context& context, LessonSession& session, const Home& home);
+/// Name of the result's bright button: the next lesson after an accepted weld.
+std::string_view brightResultButton(bool judged, bool accepted, bool hasNext);
 /// Surroundings of the result: the panel draws resultHead() and the way home itself.
 enum class ResultPlace { window, panel };
 /// Draws the buttons of the judged attempt and all of its values inside the current window.

@@ -11,7 +11,11 @@ namespace meltpool::ui {
 
 namespace {
 
-constexpr float kChartHeight = 62; ///< points
+constexpr float kChartHeight = 104, kLowChartHeight = 86; ///< points
+constexpr float kLowWindow = 650;                         ///< points
+constexpr double kSkippedShown = 3;                       ///< s of playing in which the skipped time is shown
+constexpr float kSidePadding = 16;                        ///< points
+constexpr float kWide = 700;                              ///< points that two columns need
 constexpr ImU32 kFaultTint = IM_COL32(255, 138, 120, 255);
 
 /// Draws the time as a slider; the metal follows it.
@@ -62,8 +66,15 @@ CurveAnswer overTime(Context& context, const LessonSession& session, TechniqueQu
     const auto place = [&](size_t i) { return (static_cast<double>(i) + 0.5) / kPlaces * duration; };
     const auto value = [&](size_t i) { return static_cast<double>(track.values()[i]); };
     const std::array<CurveSeries, 1> series{{{track.values().size(), place, value, kJoined / kPlaces * duration}}};
-    CurveChart chart{name, info.words(), info.unit, "s", {}, {0, duration}, kChartHeight};
+    CurveChart chart{name,
+                     info.words(),
+                     info.unit,
+                     "s",
+                     {},
+                     {0, duration},
+                     lowerThan(context, kLowWindow) ? kLowChartHeight : kChartHeight};
     if (band != nullptr) chart.band = CurveBand{band->ideal, band->inner, band->outer};
+    chart.cursor = session.activities().replay.line().time();
     return curveChart(context, chart, series);
 }
 
@@ -107,6 +118,10 @@ ShortText stateText(const LessonSession& session) {
                      {{"seconds", PhraseNumber(line.target(), 1)}, {"share", PhraseNumber(100 * line.progress())}});
         return text;
     }
+    if (line.start() > 0 && line.time() >= line.start() && line.time() < line.start() + kSkippedShown) {
+        appendPhrase(text, "replay.state.skipped", {{"seconds", PhraseNumber(line.start(), 1)}});
+        return text;
+    }
     constexpr double kKeepsUp = 0.95;
     const double speed = line.speed() * session.run().clock().speed();
     if (line.playing() && speed < kKeepsUp * line.speed()) {
@@ -131,59 +146,75 @@ MenuRequest replayButtons(Context& context, ReplayTimeline& line) {
     if (row.add("replay.on", phrase("replay.button.on").c_str(), ButtonKind::plain, 52,
                 phrase("replay.tooltip.on").c_str()))
         line.seek(line.target() + ReplayTimeline::kKeyStep);
-    if (row.add("replay.start", phrase("replay.button.start").c_str(), ButtonKind::plain, 116)) line.seek(0);
+    if (row.add("replay.start", phrase("replay.button.start").c_str(), ButtonKind::plain, 116)) line.seek(line.start());
     if (row.add("replay.weld", phrase("replay.button.weld").c_str(), ButtonKind::main, 136,
                 phrase("replay.tooltip.weld").c_str()))
         request = MenuRequest::reset;
     return request;
 }
 
-/// Draws curves next to each other, then buttons next to the speed: low, so that the metal above stays in view.
+/// Draws time next to speed, the curves next to each other, and the buttons: low, so that the metal above stays in
+/// view.
 MenuRequest wideRows(Context& context, LessonSession& session) {
-    MenuRequest request = MenuRequest::none;
     ReplayTimeline& line = session.activities().replay.line();
-    if (!ImGui::BeginTable("replay.wide", 2, ImGuiTableFlags_SizingStretchSame)) return request;
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {context.points(10), ImGui::GetStyle().CellPadding.y});
+    const bool open = ImGui::BeginTable("replay.wide", 2, ImGuiTableFlags_SizingStretchSame);
+    ImGui::PopStyleVar();
+    if (!open) return MenuRequest::none;
+    ImGui::TableNextColumn();
+    timeSlider(context, line);
+    ImGui::TableNextColumn();
+    speedSlider(context, line);
     ImGui::TableNextColumn();
     speedOverTime(context, session);
     ImGui::TableNextColumn();
     distanceOverTime(context, session);
-    ImGui::TableNextColumn();
-    request = replayButtons(context, line);
-    quietText(context, stateText(session));
-    ImGui::TableNextColumn();
-    speedSlider(context, line);
     ImGui::EndTable();
+    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+    const MenuRequest request = replayButtons(context, line);
+    const ShortText state = stateText(session);
+    ImGui::PushFont(context.fonts.small);
+    const float words = ImGui::CalcTextSize(state.c_str()).x;
+    ImGui::PopFont();
+    if (ImGui::GetItemRectMax().x + context.points(14) + words <= right) {
+        ImGui::SameLine(0, context.points(14));
+        ImGui::AlignTextToFramePadding();
+    }
+    quietText(context, state);
     return request;
 }
 
 } // namespace
 
 MenuRequest replayPart(Context& context, LessonSession& session) {
-    constexpr float kWide = 900; // points at which two columns have room for the buttons
     ReplayTimeline& line = session.activities().replay.line();
+    if (ImGui::GetContentRegionAvail().x >= context.points(kWide)) return wideRows(context, session);
     strongText(context, phrase("replay.heading"));
     timeSlider(context, line);
-    if (ImGui::GetContentRegionAvail().x >= context.points(kWide)) return wideRows(context, session);
+    const MenuRequest request = replayButtons(context, line);
+    quietText(context, stateText(session));
     speedOverTime(context, session);
     distanceOverTime(context, session);
     speedSlider(context, line);
-    const MenuRequest request = replayButtons(context, line);
-    quietText(context, stateText(session));
     return request;
 }
 
 MenuRequest replayBar(Context& context, LessonSession& session) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float room = screen.x - context.points(20);
-    const float width =
-        room >= context.points(930) ? std::min(context.points(1400), room) : std::min(context.points(500), room);
+    const bool wide = room >= context.points(kWide + 2 * kSidePadding);
+    const float width = wide ? std::min(context.points(1400), room) : std::min(context.points(500), room);
     ImGui::SetNextWindowPos({screen.x / 2, screen.y - barHeight(context) - context.points(10)}, ImGuiCond_Always,
                             {0.5f, 1});
-    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, screen.y - 2 * barHeight(context) - context.points(20)});
+    // More would cover the weld; the rest is reached by scrolling.
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, std::max(0.45f * screen.y, context.points(90))});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.points(kSidePadding), context.points(8)});
     ImGui::Begin("replay", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+    ImGui::PopStyleVar();
     const MenuRequest request = replayPart(context, session);
+    context.replayHeight = ImGui::GetWindowHeight();
     ImGui::End();
     return request;
 }

@@ -123,10 +123,17 @@ const TechniqueBands* bandsOf(const Lesson& lesson) {
     return lesson.technique ? &*lesson.technique : nullptr;
 }
 
-/// Best score of the session's lesson; empty if there is none.
-std::string bestText(const LessonSession& session, const Home& home) {
+bool accepted(const LessonSession& session) {
+    const auto& verdict = session.attempt().judged()->judgement.verdict;
+    return verdict && verdict->accepted;
+}
+
+/// Best score of the session's lesson, of tests after a test; empty if there is none.
+std::string bestText(LessonSession& session, const Home& home) {
     const CataloguedLesson* lesson = home.find(session.lesson());
-    const BestScore* best = lesson == nullptr ? nullptr : home.scores.find(lesson->key);
+    if (lesson == nullptr) return {};
+    const bool test = session.values().forScore();
+    const BestScore* best = test ? home.scores.findTest(lesson->key) : home.scores.find(lesson->key);
     return best == nullptr ? std::string() : bestScoreText(*best);
 }
 
@@ -156,7 +163,7 @@ float resultReach(const Context& context) {
     return context.points(kResultWidth + 10);
 }
 
-void resultHead(Context& context, const LessonSession& session, const Home& home) {
+void resultHead(Context& context, LessonSession& session, const Home& home) {
     const JudgementRows& rows = session.attempt().judged()->rows;
     const std::string best = bestText(session, home);
     ImGui::PushFont(context.fonts.title);
@@ -174,27 +181,33 @@ void resultHead(Context& context, const LessonSession& session, const Home& home
     if (!rows.verdictNote.empty()) quietText(context, rows.verdictNote);
 }
 
+std::string_view brightResultButton(bool judged, bool accepted, bool hasNext) {
+    if (!judged) return "result.judge";
+    return accepted && hasNext ? "result.next" : "result.again";
+}
+
 MenuRequest resultPart(Context& context, LessonSession& session, const Home& home, ResultPlace place) {
     MenuRequest request = MenuRequest::none;
     const bool window = place == ResultPlace::window;
     if (window && session.attempt().judged()) resultHead(context, session, home);
     ButtonRow row(context, 10);
     const bool judged = session.attempt().judged().has_value();
+    const CataloguedLesson* next = judged ? home.find(session.lesson().next) : nullptr;
+    const std::string_view bright = brightResultButton(judged, judged && accepted(session), next != nullptr);
+    const auto kind = [bright](std::string_view name) { return name == bright ? ButtonKind::main : ButtonKind::plain; };
     if (row.add("result.judge", phrase(judged ? "result.button.judge_again" : "result.button.judge").c_str(),
-                judged ? ButtonKind::plain : ButtonKind::main, 150))
+                kind("result.judge"), 150))
         request = MenuRequest::judge;
-    if (row.add("result.again", phrase("result.button.again").c_str(), judged ? ButtonKind::main : ButtonKind::plain,
-                110))
+    if (row.add("result.again", phrase("result.button.again").c_str(), kind("result.again"), 110))
         request = MenuRequest::reset;
     ShortText homeNote;
     appendPhrase(homeNote, "result.tooltip.home", {{"key", context.key(Key::h)}});
     if (window && row.add("result.home", phrase("result.button.home").c_str(), ButtonKind::plain, 80, homeNote.c_str()))
         request = MenuRequest::home;
-    const CataloguedLesson* next = home.find(session.lesson().next);
-    if (next != nullptr && judged) {
+    if (next != nullptr) {
         ShortText text;
         appendPhrase(text, "result.button.next", {{"lesson", next->title}});
-        if (button(context, "result.next", text.c_str())) request = MenuRequest::next;
+        if (button(context, "result.next", text.c_str(), kind("result.next"))) request = MenuRequest::next;
     }
     if (judged) {
         if (button(context, "result.page", phrase("result.button.page").c_str(), ButtonKind::plain, 80,

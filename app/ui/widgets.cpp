@@ -105,6 +105,14 @@ ShortText readableName(std::string_view key) {
     return name;
 }
 
+void beginFlatChild(const char* name, ImVec2 size) {
+#if IMGUI_VERSION_NUM >= 19090
+    ImGui::BeginChild(name, size, ImGuiChildFlags_NavFlattened);
+#else
+    ImGui::BeginChild(name, size, false, ImGuiWindowFlags_NavFlattened);
+#endif
+}
+
 bool narrowerThan(const Context& context, float width) {
     return ImGui::GetIO().DisplaySize.x < context.points(width);
 }

@@ -21,6 +21,8 @@ struct Context {
     float scale = 1;
     float startValuesHeight = 0; ///< height of the start menu's scrolling part in the last frame; 0: not drawn yet
     float startFootHeight = 0;   ///< height of the buttons below it
+    float attemptsNotice = 0;    ///< height of the lines below the attempts in the last frame
+    float replayHeight = 0;      ///< height of the replay's panel in the last frame; 0: not drawn yet
     /// Last place of each control, by name such as "simulation.viscosity". Entries stay from frame to frame, so that
     /// noting a place allocates nothing.
     std::map<std::string, Place, std::less<>> places;
@@ -76,6 +78,10 @@ class ButtonRow {
     float right_; ///< right end of the room, pixels of the screen
     bool first_ = true;
 };
+
+/// Begins a scrolling part of the window that the keyboard enters and leaves like the rest of it. A size of 0: as far
+/// as the window goes. ImGui::EndChild() ends it.
+void beginFlatChild(const char* name, ImVec2 size);
 
 /// Returns true if the window has less room in this direction than so many points.
 bool narrowerThan(const Context& context, float width);

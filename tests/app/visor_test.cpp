@@ -21,7 +21,8 @@ class Watcher {
         constexpr double kFrame = 1.0 / 45;
         for (double time = 0; time < seconds; time += kFrame) {
             session.advance(controls, kFrame, nullptr);
-            session.picture().draw(session.picture().atDesk(controls, 1, 0, false, nullptr), target.target(), nullptr);
+            session.picture().draw(session.picture().atDesk(controls, 1, {0, 0}, false, nullptr), target.target(),
+                                   nullptr);
             LessonFigures figures;
             fillFigures(figures, session);
             notices.update(session, figures, lock, kFrame, messages);

@@ -235,6 +235,32 @@ void walk(std::ifstream& stream, RecordingSummary& summary) {
     summary.seconds = std::isfinite(last) && last >= 0 && last <= 86400 ? last : 0;
 }
 
+/// True if an event before the first step says that the attempt is a test.
+bool beginsForScore(std::ifstream& stream, std::uint64_t size) {
+    constexpr std::uint64_t kLongest = 4096; // bytes of the longest frame to read
+    constexpr std::string_view kName = "for_score", kYes = "yes";
+    std::string head(kFrameHeadBytes, '\0'), content;
+    std::uint64_t at = kRecordingSignature.size();
+    while (at + kFrameBytes <= size) {
+        stream.clear();
+        stream.seekg(static_cast<std::streamoff>(at));
+        if (!stream.read(head.data(), kFrameHeadBytes)) return false;
+        ByteReader reader(head);
+        const std::uint32_t kind = reader.u32(), length = reader.u32();
+        if (kind == static_cast<std::uint32_t>(FrameKind::step)) return false;
+        at += kFrameBytes + length;
+        if (kind != static_cast<std::uint32_t>(FrameKind::event) || length < kNoteHeadBytes || length > kLongest)
+            continue;
+        content.resize(length);
+        if (!stream.read(content.data(), static_cast<std::streamsize>(length))) return false;
+        ByteReader frame(content);
+        frame.u64();
+        const std::uint32_t name = frame.u32();
+        if (name == kName.size() && frame.rest() == std::string(kName) + std::string(kYes)) return true;
+    }
+    return false;
+}
+
 AttemptHead headOf(const fs::path& file) {
     FrameReader frames(file);
     RecordingFrame first;
@@ -307,6 +333,8 @@ RecordingSummary readRecordingSummary(const fs::path& file) {
     std::error_code unreadable;
     summary.bytes = fs::file_size(file, unreadable);
     std::ifstream stream(file, std::ios::binary);
+    summary.forScore = beginsForScore(stream, summary.bytes);
+    stream.clear();
     summary.end = lastEnd(stream, summary.bytes);
     if (!summary.end) {
         walk(stream, summary);

@@ -36,6 +36,7 @@ struct RecordingSummary {
     double seconds = 0;      ///< metal time, s
     std::uint64_t bytes = 0; ///< size of the file
     size_t redone = 0;       ///< times that the attempt went back; not 0 means practice
+    bool forScore = false;   ///< true: the attempt was a test
 };
 
 /// Reads head and end. Without an end, as in an attempt that is running or was killed, it follows the frame lengths

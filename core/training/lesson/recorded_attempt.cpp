@@ -6,6 +6,7 @@
 #include "core/training/attempt/record_text.hpp"
 #include "core/training/attempt/recording_reader.hpp"
 #include "core/training/lesson/lesson.hpp"
+#include "core/weld/process/arc.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -52,7 +53,7 @@ class Reader {
                 return std::nullopt;
             line_ = table.line();
             if (item == TableReader::Item::row)
-                ++rows_;
+                addRow(table);
             else if (!std::exchange(first, false))
                 readComment(trimText(table.comment().substr(1)));
         }
@@ -62,6 +63,20 @@ class Reader {
     }
 
   private:
+    void addRow(TableReader& table) {
+        ++rows_;
+        if (attempt_.firstArc) return;
+        const auto cell = [&](std::string_view name) -> std::string_view {
+            const auto& columns = table.columns();
+            const auto place = static_cast<size_t>(std::find(columns.begin(), columns.end(), name) - columns.begin());
+            return place < table.cells().size() ? table.cells()[place] : std::string_view();
+        };
+        const std::string_view arc = cell("arc_state");
+        if (arc.empty() || arc == arcActionName(ArcAction::out)) return;
+        attempt_.firstArc = parseDouble(cell("time_s"));
+        arcRow_ = rows_;
+    }
+
     void readComment(std::string_view text) {
         const std::string_view word = takeWord(text);
         if (isHeadLine(word, text)) return;
@@ -105,6 +120,7 @@ class Reader {
         const auto steps = static_cast<size_t>(*step);
         attempt_.notes.push_back({stepsBefore(), "redo", std::string(text)});
         rows_ = steps;
+        if (arcRow_ > steps) attempt_.firstArc.reset();
         std::erase_if(attempt_.changes, [&](const RecordedChange& change) { return change.steps > steps; });
         std::erase_if(attempt_.events, [&](const RecordedEvent& event) {
             return event.name == "samples" ? event.steps >= steps : event.steps > steps; // these samples are missing
@@ -136,6 +152,7 @@ class Reader {
     RecordedAttempt attempt_;
     int line_ = 0;
     size_t rows_ = 0;
+    size_t arcRow_ = 0; ///< row of attempt_.firstArc
 };
 
 RecordedChange changeOf(const RecordingNote& note) {
@@ -157,6 +174,9 @@ RecordedAttempt attemptOf(const Recording& recording) {
         (spoilsScore(note.name) ? attempt.events : attempt.notes)
             .push_back({static_cast<size_t>(note.steps), note.name, note.value});
     attempt.rows = recording.steps.size();
+    const auto lit = std::find_if(recording.steps.begin(), recording.steps.end(),
+                                  [](const RecordingStep& step) { return step.arc.burns(); });
+    if (recording.head.arc && lit != recording.steps.end()) attempt.firstArc = lit->torch.time;
     attempt.redone = recording.redone;
     if (!recording.end) return attempt;
     attempt.ended = recording.end->reason;

@@ -42,6 +42,7 @@ struct RecordedAttempt {
     std::string ended;                   ///< reason of the end; empty if the program ended without warning
     std::string stateHash;               ///< hash of the metal's state at the end; empty as above
     std::optional<double> realTime;      ///< simulated time over real time; empty if no person welded
+    std::optional<double> firstArc;      ///< metal time at which an arc first burned, s; empty without one
     size_t rows = 0;
     size_t redone = 0; ///< times that it went back and on to another end; not 0 means practice
 };

@@ -14,10 +14,15 @@ double millimetres(double metres) {
     return metres * 1e3;
 }
 
+/// Null if the attempt has no score.
+Json ifScored(const TechniqueScore& score, double value) {
+    return score.scored ? jsonNumber(value) : Json(nullptr);
+}
+
 Json parameterScores(const TechniqueScore& score, DistanceKind distance) {
     Json json = Json::object();
     for (const ParameterScore& each : score.parameters)
-        json[std::string(quantityInfo(each.quantity, distance).key)] = jsonNumber(each.score);
+        json[std::string(quantityInfo(each.quantity, distance).key)] = ifScored(score, each.score);
     return json;
 }
 
@@ -34,7 +39,7 @@ Json parameterValues(const TechniqueScore& score, DistanceKind distance, const T
                  {"least", jsonNumber(each.least)},
                  {"most", jsonNumber(each.most)},
                  {"worst_at_mm", jsonNumber(each.worstPlaceMm)},
-                 {"lost_points", jsonNumber(each.lost)}};
+                 {"lost_points", ifScored(score, each.lost)}};
         const TechniqueBand* band = bands == nullptr ? nullptr : bands->find(each.quantity);
         if (band == nullptr) continue;
         entry["ideal"] = jsonNumber(band->ideal);
@@ -47,7 +52,7 @@ Json parameterValues(const TechniqueScore& score, DistanceKind distance, const T
 
 Json scoreOf(const Judgement& judgement, const TechniqueBands* bands) {
     const TechniqueScore& score = *judgement.score;
-    Json json{{"total", score.scored ? jsonNumber(score.total) : Json(nullptr)}, {"scored", score.scored}};
+    Json json{{"total", ifScored(score, score.total)}, {"scored", score.scored}};
     if (!score.scored) json["reason"] = score.reason;
     json["parameters"] = parameterScores(score, judgement.distance);
     json["values"] = parameterValues(score, judgement.distance, bands);
@@ -57,7 +62,7 @@ Json scoreOf(const Judgement& judgement, const TechniqueBands* bands) {
     json["judged_mm"] = jsonNumber(score.judgedMm);
     json["unknown_mm"] = jsonNumber(score.unknownMm);
     if (score.unknownMm > 0) json["unknown"] = unknownSentence(score);
-    json["lost_to_length_points"] = jsonNumber(score.lostToLength);
+    json["lost_to_length_points"] = ifScored(score, score.lostToLength);
     json["corrections"] = Json::array();
     for (const Correction& each : judgement.corrections)
         json["corrections"].push_back(each.sentence);

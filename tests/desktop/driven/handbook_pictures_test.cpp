@@ -181,12 +181,15 @@ TEST_CASE("pictures of a weld: machine, cues, ghost, result, cut, replay and com
     window.key("h");
     waitForPage(window, "home");
     window.click("home.attempts");
-    window.click("home.attempt.0.compare");
-    window.click("home.attempt.1.compare");
+    window.click("home.attempt.0");
+    window.click("home.attempts.compare");
+    window.click("home.attempt.1");
+    window.click("home.attempts.compare");
     window.waitFor("the comparison", [](const json& s) { return s.at("places").contains("comparison.words"); });
     keep(window, "comparison");
     window.click("comparison.back");
-    window.click("home.attempt.1.play");
+    window.click("home.attempt.1");
+    window.click("home.attempts.play");
     window.waitFor("the attempt's end",
                    [](const json& s) { return !s.at("replay").is_null() && s.at("replay").at("over") == true; });
     window.pull("replay.time", 0.6);

@@ -31,6 +31,8 @@ TEST_CASE("a kept attempt plays in the window, goes to any moment, and ends in i
     window.waitFor("the attempt's end", [&](const json& s) { return shown(s).at("over") == true; });
     window.waitFor("its bits", [&](const json& s) { return shown(s).at("same") == true; });
     window.takePicture("replay");
+    const json bar = window.settle();
+    CHECK(bar.at("places").at("replay.time").at(1) > 0.5 * bar.at("window").at("size").at(1).get<double>());
     window.pull("replay.time", 0.4);
     window.waitFor("another moment", [&](const json& s) {
         return shown(s).at("seeking") == false && shown(s).at("over") == false &&

@@ -39,7 +39,8 @@ TEST_CASE("an attempt counts where it is scored; the verdict goes with it") {
     judgement.verdict.emplace();
     judgement.verdict->accepted = true;
     CHECK(countedScore(judgement)->accepted);
-    CHECK(bestScoreText({84.4, true, 4, true, false}) == "Best so far: 84, accepted, zoom 4");
+    CHECK(bestScoreText({84.4, true, 4, false, false}) == "Best so far: 84, accepted, zoom 4");
+    CHECK(bestScoreText({84.4, true, 1, true}) == "Best test: 84, accepted");
     CHECK(bestScoreText({0, false, 1, false, true}) == "Best so far: 0, changed values");
     CHECK(bestScoreText({70, true, 1, false, false, true}) == "Best so far: 70, accepted (with help)");
     CHECK(bestScoreText({70, false, 1, false, false, false, 0.064}) == "Best so far: 70");
@@ -75,13 +76,42 @@ TEST_CASE("the better score of a lesson stays, with its help, from one start to 
     CHECK(again.find("gmaw-bead")->changed);
     REQUIRE(again.find("tee fillet \"2F\"") != nullptr);
     CHECK(again.find("gmaw-bead")->realTime == 1);
-    BestScore better{70, true, 1, true, false, false, 0.5};
+    BestScore better{70, true, 1, false, false, false, 0.5};
     better.chosen = "voltage 22 V";
     CHECK(again.offer("gmaw-bead", better));
     CHECK(BestScores(file).find("gmaw-bead")->realTime == 0.5);
-    CHECK(BestScores(file).find("gmaw-bead")->forScore);
     CHECK(BestScores(file).find("gmaw-bead")->chosen == "voltage 22 V");
     CHECK(BestScores(file).find("tee fillet \"2F\"")->chosen.empty());
+}
+
+TEST_CASE("the best score of tests stays apart from that of practice") {
+    const fs::path file = test::scratchFolder("best-scores-tests") / "best-scores.toml";
+    const BestScore practised{90, true, 1, false, true}, tested{70, true, 1, true};
+    {
+        BestScores scores(file);
+        CHECK(scores.offer("tee-fillet", tested));
+        CHECK(scores.offer("tee-fillet", practised));
+        CHECK(scores.offer("gmaw-bead", tested));
+        CHECK_FALSE(scores.offer("gmaw-bead", {60, true, 1, true}));
+    }
+    BestScores again(file);
+    CHECK(joined(again.faults()) == "");
+    REQUIRE(again.find("tee-fillet") != nullptr);
+    REQUIRE(again.findTest("tee-fillet") != nullptr);
+    CHECK(again.find("tee-fillet")->score == 90);
+    CHECK(again.findTest("tee-fillet")->score == 70);
+    CHECK(again.findTest("tee-fillet")->forScore);
+    CHECK(again.find("gmaw-bead") == nullptr);
+    CHECK(again.findTest("gmaw-bead")->score == 70);
+    CueSkill skill;
+    skill.setGood(TechniqueQuantity::aim, 1);
+    again.practise("gmaw-bead", skill); // known by a test alone
+    CHECK(BestScores(file).skill("gmaw-bead") == skill);
+
+    writeTextFileAtomically(file, "[a]\nscore = 50\nfor_score = true\n"); // of an earlier version
+    CHECK(BestScores(file).find("a") == nullptr);
+    REQUIRE(BestScores(file).findTest("a") != nullptr);
+    CHECK(BestScores(file).findTest("a")->score == 50);
 }
 
 TEST_CASE("the cues of a best score, and how far they have faded, stay from one start to the next") {

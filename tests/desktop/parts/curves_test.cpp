@@ -83,6 +83,14 @@ TEST_CASE("two curves share a chart, and one that is given its places is there b
     ui::CurveChart chart{"a.chart", "speed", "mm/s", "s", {}};
     const int single = draw(chart, alone);
     CHECK(answer.drawn);
+    chart.cursor = 4;
+    CHECK(draw(chart, alone) > single); // the value at the cursor, in words
+    chart.cursor = 30;
+    CHECK(draw(chart, alone) == single); // no value there
+    chart.cursor.reset();
+    chart.placeUnit = "";
+    CHECK(draw(chart, alone) < single); // the unit of the places
+    chart.placeUnit = "s";
     CHECK(draw(chart, both) > single);
     CHECK((answer.sheet.places.from == 0 && answer.sheet.places.to == 11));
     CHECK((answer.sheet.values.from == 0 && answer.sheet.values.to == 20));

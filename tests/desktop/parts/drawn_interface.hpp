@@ -42,12 +42,14 @@ class DrawnInterface {
     DrawnInterface(const DrawnInterface&) = delete;
     DrawnInterface& operator=(const DrawnInterface&) = delete;
 
+    ImVec2 size{430, 1900}; ///< of the window
+
     /// Draws one frame with the content in a window; returns the number of corners of its triangles.
     int draw(Content content) {
         ImGui::NewFrame();
         context_.beginFrame();
         ImGui::SetNextWindowPos({0, 0});
-        ImGui::SetNextWindowSize({430, 1900});
+        ImGui::SetNextWindowSize(size);
         ImGui::Begin("panel", nullptr, ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoSavedSettings);
         content(context_);
         ImGui::End();

@@ -5,9 +5,12 @@
 #include "app/activities/timeline.hpp"
 #include "app/activities/timeline_marks.hpp"
 #include "app/library/replay_list.hpp"
+#include "core/base/output_file.hpp"
 #include "core/base/words.hpp"
 #include "core/training/judging/seam.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+#include "tests/support/recording_bytes.hpp"
 
 #include <cmath>
 #include <limits>
@@ -15,6 +18,8 @@
 namespace meltpool {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr double kStep = 0.02;
 
@@ -49,6 +54,55 @@ TEST_CASE("an attempt plays to its end, pauses, and begins again from there") {
     CHECK(line.target() == 0);
     line.end();
     CHECK_FALSE(line.playing());
+}
+
+TEST_CASE("a replay that skips its beginning is brought to its start, and begins again there") {
+    ReplayTimeline line;
+    line.begin(10, 4);
+    CHECK(line.start() == 4);
+    CHECK((line.seeking() && line.playing()));
+    CHECK(line.takeFresh());
+    line.stepFrom(0);
+    line.reach(4, kStep, false);
+    CHECK_FALSE(line.seeking());
+    line.reach(10, kStep, true);
+    line.toggle();
+    CHECK(line.target() == 4);
+    line.seek(0); // the skipped part is there for one who wants it
+    CHECK(line.target() == 0);
+    line.begin(4);
+    CHECK((line.start() == 0 && !line.seeking()));
+}
+
+TEST_CASE("the time of the first arc is read from a recording and from a record") {
+    const fs::path folder = test::scratchFolder("replay-arc");
+    const auto recorded = [&](bool arc) {
+        test::RecordingBytes bytes;
+        AttemptHead head = test::recordedHead("gmaw-bead");
+        head.arc = arc;
+        bytes.head(head);
+        for (int i = 1; i <= 6; ++i) {
+            RecordingStep step = test::recordedStep(i);
+            step.arc.action = i < 4 ? ArcAction::out : ArcAction::burning;
+            bytes.step(step);
+        }
+        const fs::path file = folder / "a.meltrec";
+        writeFile(file, bytes.end(test::recordedEnd(6)).bytes());
+        return readRecordedAttempt(file);
+    };
+    REQUIRE(recorded(true)->firstArc);
+    CHECK(*recorded(true)->firstArc == Approx(4 / 90.0));
+    CHECK_FALSE(recorded(false)->firstArc);
+    const fs::path record = folder / "a.csv";
+    const std::string head = "# meltpool record 1\n# lesson gmaw-bead\n# attempt 1\n"
+                             "time_s,x_mm,y_mm,z_mm,qx,qy,qz,qw,trigger,arc_state\n0.1,0,0,0,0,0,0,1,0,out\n",
+                      lit = "0.2,0,0,0,0,0,0,1,1,burning\n";
+    writeFile(record, head);
+    CHECK_FALSE(readRecordedAttempt(record)->firstArc);
+    writeFile(record, head + lit + "0.3,0,0,0,0,0,0,1,1,burning\n");
+    CHECK(readRecordedAttempt(record)->firstArc == 0.2);
+    writeFile(record, head + lit + "# event redo 1\n0.5,0,0,0,0,0,0,1,1,burning\n");
+    CHECK(readRecordedAttempt(record)->firstArc == 0.5);
 }
 
 TEST_CASE("a moment that is asked for is reached by the step that is nearest to it") {

@@ -106,7 +106,14 @@ TEST_CASE("an attempt is judged: the hand by the lesson's bands, the weld by the
     SECTION("another attempt begins without the first") {
         trainer.reset();
         CHECK(trainer.technique()->steps().empty());
-        CHECK_FALSE(trainer.judge().score->scored); // no arc was lit
+        const Judgement none = trainer.judge();
+        CHECK_FALSE(none.score->scored); // no arc was lit
+        const Json unscored = written(trainer, none).at("score");
+        CHECK(unscored.at("total").is_null());
+        CHECK(unscored.at("parameters").at("travel_speed").is_null());
+        CHECK(unscored.at("values").at("travel_speed").at("lost_points").is_null());
+        CHECK(unscored.at("values").at("travel_speed").at("worst_at_mm").is_null());
+        CHECK(unscored.at("lost_to_length_points").is_null());
     }
 }
 
