@@ -42,7 +42,8 @@ std::span<const DesktopAction> desktopActions() {
         {"redo", Request::redo, Key::backspace, always, [](App& app) { app.session_.redo(app.controls_); }},
         {"cut", Request::cut, Key::x, always, [](App& app) { app.cut(); }},
         {"back", Request::none, Key::escape, always, [](App& app) { app.goBack(); }},
-        {"hide panels", Request::none, Key::tab, always, [](App& app) { app.hidePanels(); }},
+        {"keys to the menus", Request::none, Key::tab, always, [](App& app) { app.toMenus(); }},
+        {"hide panels", Request::none, Key::f9, always, [](App& app) { app.hidePanels(); }},
         {"help", Request::none, Key::f1, always, [](App& app) { app.toggle(&PanelState::help); }},
         {"view menu", Request::none, Key::f2, always, [](App& app) { app.toggle(&PanelState::view); }},
         {"machine menu", Request::none, Key::f3, always, [](App& app) { app.toggle(&PanelState::simulation); }},
@@ -137,10 +138,22 @@ void DesktopApp::cut() {
     if (session_.picture().cut().shown()) menus_.showResult(session_);
 }
 
-/// Closes the help, or leaves the lesson's page.
+/// Closes the help, gives the keys back to the torch, or leaves the lesson's page.
 void DesktopApp::goBack() {
     if (!session_.running() && !menus_.panels.help) goHome();
+    if (!menus_.panels.help && menus_.focused()) {
+        menus_.leaveFocus();
+        controls_.putOut(ArcOut::panel);
+    }
     menus_.panels.help = false;
+}
+
+/// Lets keys choose in the menus of the running lesson, while the torch is still and out.
+void DesktopApp::toMenus() {
+    if (!session_.running()) return;
+    controls_.releaseMouse();
+    controls_.putOut(ArcOut::panel);
+    menus_.focusNext();
 }
 
 void DesktopApp::toggle(bool PanelState::*panel) {
@@ -149,6 +162,7 @@ void DesktopApp::toggle(bool PanelState::*panel) {
 
 void DesktopApp::hidePanels() {
     menus_.panels.hidden = session_.running() && !menus_.panels.hidden;
+    if (menus_.panels.hidden) menus_.unfocus();
 }
 
 /// Shows all panels and resets the timings, for a lesson's start.

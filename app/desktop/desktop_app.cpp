@@ -148,10 +148,10 @@ void DesktopApp::runFrame() {
     messages_.expire(time);
     if (gl::debugBuild() || options_.watchShaders) shaderWatch_.update(shaders_, steps_.thread(), messages_, time);
     const bool captured = session_.running() && controls_.captured();
-    // In the list of lessons the program itself takes arrow keys and Enter.
-    const bool byKeyboard = !session_.running() && (!home_.open || home_.attempts.shown());
-    interface_.begin(sections_.window.interfaceSize, captured, byKeyboard);
+    interface_.takeGamepad(input, gamepadUse(), seconds);
+    interface_.begin(sections_.window.interfaceSize, captured, keysChoose(), input);
     interface_.takeInput(input, captured);
+    keepFromTorch(input);
     handleKeys(input);
     tellRecordings(session_.log().recordings(), time, messages_);
     detail_.update(sections_.window.detail, session_.running(), headset_.inFrame() != nullptr);
@@ -174,6 +174,7 @@ void DesktopApp::runFrame() {
     if (screenshots_.asked()) screenshots_.take(picture_, session_, window_.pixels(), messages_, clock_.now());
     window_.swap();
     finishSteps(seconds);
+    if (request != MenuRequest::none) menus_.unfocus();
     act(request);
     settleQuestions();
     window_.captureMouse(session_.running() && controls_.captured());

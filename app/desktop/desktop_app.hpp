@@ -20,6 +20,7 @@
 #include "app/desktop/window_picture.hpp"
 #include "app/desktop/window_sections.hpp"
 #include "app/desktop/window_telemetry.hpp"
+#include "app/session/gamepad_keys.hpp"
 #include "app/session/home.hpp"
 #include "app/session/lesson_session.hpp"
 #include "app/session/messages.hpp"
@@ -67,6 +68,10 @@ class DesktopApp {
     void cut();
     void toggle(bool PanelState::*panel);
     void hidePanels();
+    void toMenus();
+    GamepadUse gamepadUse();
+    bool keysChoose();
+    void keepFromTorch(InputFrame& input);
     void start(void (LessonSession::*begin)(Controls&));
     void moveByKeys(const InputFrame& input);
     void demonstrateByKeys(const InputFrame& input);

@@ -38,6 +38,16 @@ class DesktopMenus {
     /// Opens the result panel if the lesson has one.
     void showResult(const LessonSession& session);
 
+    /// Gives the keys to the menus of the running lesson: to the top bar, then to the next open panel each time.
+    void focusNext();
+    /// Gives the keys back to the torch.
+    void unfocus();
+    bool focused() const { return focused_; }
+    /// Like unfocus(), unless Escape ends something within the menus: a list, the typing of a number.
+    void leaveFocus() {
+        if (!occupied_) unfocus();
+    }
+
     /// Distance from the window's middle to the middle of its uncovered part, positive to the right, as a share of half
     /// the window's width.
     float middleOfPicture();
@@ -53,6 +63,9 @@ class DesktopMenus {
     /// The machine panel is not drawn: its values would change nothing (weld cut open, attempt replayed), or it has no
     /// room.
     bool machineWaits_ = false;
+    bool focused_ = false;         ///< keys choose controls of the running lesson
+    bool occupied_ = false;        ///< a control is being changed or a list is open, in the last frame
+    bool asked_ = false;           ///< a question was shown in the last frame
     bool resultFromTop_ = false;   ///< the next frame shows the result's top
     bool resultIsNewer_ = false;   ///< the result opened after the panels at its place
     bool timingsAreNewer_ = false; ///< choice if both panels at the left are open in the next frame

@@ -82,6 +82,7 @@ bool lessonTile(Context& context, Home& home, size_t index, ImVec2 size, bool be
     fillRounded(draw, low, high, hovered ? colour::kFieldHot : colour::kField, context.points(4));
     drawLesson(context, home, lesson, low, high, beside);
     const bool chosen = byKeys && index == home.chosenIndex();
+    if (chosen && !home.attempts.shown()) context.focus = name;
     if (chosen || hovered)
         outlineRounded(draw, low, high, chosen ? colour::kAccent : colour::kQuiet, context.points(4));
     return clicked;
@@ -177,11 +178,12 @@ MenuRequest homePage(Context& context, Home& home, Activities& activities, const
     ImGui::TextUnformatted(phrase(both ? "home.two_attempts" : attempts ? "home.attempts" : "home.lessons").c_str());
     ImGui::PopFont();
     if (!low)
-        quietText(context, phrase(both       ? "home.two_attempts_hint"
-                                  : attempts ? "home.attempts_hint"
-                                             : "home.lessons_hint"));
+        quietText(context, phrase(both                ? "home.two_attempts_hint"
+                                  : attempts          ? "home.attempts_hint"
+                                  : context.byGamepad ? "home.lessons_hint_pad"
+                                                      : "home.lessons_hint"));
     ImGui::EndGroup();
-    ImGui::BeginChild("lessons", {0, -context.points(44)});
+    beginPart("lessons", {0, -context.points(44)});
     MenuRequest request = MenuRequest::none;
     if (attempts)
         request = attemptList(context, home, activities, kAttemptsAPage);

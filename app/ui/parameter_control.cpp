@@ -96,7 +96,10 @@ TypedEntry typed;
 
 void startTyping(std::string_view name, double value) {
     typed.name = name;
-    std::snprintf(typed.text, sizeof typed.text, "%s", formatNumber(value).c_str());
+    if (value == std::round(value))
+        std::snprintf(typed.text, sizeof typed.text, "%s", formatNumber(value).c_str());
+    else
+        std::snprintf(typed.text, sizeof typed.text, "%.7g", value); // more digits would show a float's rounding
     typed.fresh = true;
 }
 
@@ -119,21 +122,53 @@ bool typeNumber(double low, double high, double& value) {
     return true;
 }
 
-/// Draws a thin track with a round handle. A double click or Ctrl and click opens the text field.
+/// Way that the arrow keys move the chosen slider's handle: 1 up, -1 down, 0 not.
+int arrowsOnSlider() {
+    const auto pressed = [](ImGuiKey key) {
+#if IMGUI_VERSION_NUM < 18700
+        const int index = ImGui::GetKeyIndex(key);
+        return index >= 0 && ImGui::IsKeyPressed(index);
+#else
+        return ImGui::IsKeyPressed(key);
+#endif
+    };
+    return static_cast<int>(pressed(ImGuiKey_RightArrow)) - static_cast<int>(pressed(ImGuiKey_LeftArrow));
+}
+
+/// Value a fiftieth of the slider's length farther, or the next one if they are coarser.
+double steppedValue(const Scale& scale, bool whole, double value, int way) {
+    constexpr double kStep = 0.02;
+    for (double share = kStep; share < 1 + kStep; share += kStep) {
+        const double next =
+            scale.rounded(scale.fromShare(std::clamp(scale.toShare(value) + way * share, 0.0, 1.0)), whole);
+        if (next != value) return next;
+    }
+    return value;
+}
+
+/// Draws a thin track with a round handle. A double click, Ctrl and click, or Enter opens the text field.
 bool slider(Context& context, std::string_view name, const Scale& scale, bool whole, double& value) {
     if (typed.name == name) return typeNumber(scale.low, scale.high, value);
     const float width = ImGui::GetContentRegionAvail().x;
     const float height = context.points(20);
     const float radius = context.points(8);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    ImGui::InvisibleButton("##slider", {width, height});
+    const bool pressed = ImGui::InvisibleButton("##slider", {width, height});
     markItem(context, name);
-    const bool held = ImGui::IsItemActive();
+    const bool byMouse = ImGui::IsMouseDown(0) || ImGui::IsMouseReleased(0);
+    const bool byKeys = !byMouse && ImGui::IsItemFocused() && ImGui::GetIO().NavVisible;
+    const bool held = ImGui::IsItemActive() && byMouse;
     const bool hovered = ImGui::IsItemHovered();
     const float length = width - 2 * radius;
     bool changed = false;
     if (hovered && (ImGui::IsMouseDoubleClicked(0) || (ImGui::IsMouseClicked(0) && ImGui::GetIO().KeyCtrl))) {
         startTyping(name, value);
+    } else if (byKeys && pressed) {
+        startTyping(name, value);
+    } else if (const int way = byKeys ? arrowsOnSlider() : 0; way != 0) {
+        const double wanted = steppedValue(scale, whole, value, way);
+        changed = wanted != value;
+        value = wanted;
     } else if (held) {
         const float along = (ImGui::GetIO().MousePos.x - corner.x - radius) / length;
         const double share = static_cast<double>(std::clamp(along, 0.0f, 1.0f));

@@ -183,6 +183,7 @@ MenuRequest replayBar(Context& context, LessonSession& session) {
     ImGui::Begin("replay", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+    noteWindow(context, "replay");
     const MenuRequest request = replayPart(context, session);
     ImGui::End();
     return request;
