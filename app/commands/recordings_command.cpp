@@ -99,7 +99,6 @@ size_t removedCount(const std::filesystem::path& folder) {
     }
 }
 
-
 /// Attempts of a folder in the program's order; their faults go to standard error.
 std::vector<KeptAttempt> attemptsOf(const std::filesystem::path& folder) {
     std::vector<std::string> faults;

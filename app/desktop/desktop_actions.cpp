@@ -53,7 +53,8 @@ std::span<const DesktopAction> desktopActions() {
         {"next person", Request::none, Key::n, mayAskName, [](App& app) { app.home_.who.ask(); }},
         {"person", Request::welder, {}, always, [](App& app) { app.welders_.enter(app.clock_.now()); }},
         {"back", Request::none, Key::escape, always, [](App& app) { app.goBack(); }},
-        {"hide panels", Request::none, Key::tab, always, [](App& app) { app.hidePanels(); }},
+        {"keys to the menus", Request::none, Key::tab, always, [](App& app) { app.toMenus(); }},
+        {"hide panels", Request::none, Key::f9, always, [](App& app) { app.hidePanels(); }},
         {"help", Request::none, Key::f1, always, [](App& app) { app.toggle(&PanelState::help); }},
         {"view menu", Request::none, Key::f2, always, [](App& app) { app.toggleViewOrSettings(); }},
         {"machine menu", Request::none, Key::f3, always, [](App& app) { app.toggle(&PanelState::simulation); }},
@@ -158,10 +159,23 @@ void DesktopApp::cut() {
     if (session_.picture().cut().shown()) menus_.showResult(session_);
 }
 
-/// Closes help and settings, or leaves the lesson's page.
+/// Closes help and settings, gives the keys back to the torch, or leaves the lesson's page.
 void DesktopApp::goBack() {
-    if (!session_.running() && !menus_.panels.overlaid()) goHome();
-    menus_.panels.help = menus_.panels.settings = false;
+    PanelState& panels = menus_.panels;
+    if (!session_.running() && !panels.overlaid()) goHome();
+    if (!panels.overlaid() && menus_.focused()) {
+        menus_.leaveFocus();
+        controls_.putOut(ArcOut::panel);
+    }
+    panels.help = panels.settings = false;
+}
+
+/// Lets keys choose in the menus of the running lesson, while the torch is still and out.
+void DesktopApp::toMenus() {
+    if (!session_.running()) return;
+    controls_.releaseMouse();
+    controls_.putOut(ArcOut::panel);
+    menus_.focusNext();
 }
 
 void DesktopApp::toggle(bool PanelState::*panel) {
@@ -175,6 +189,7 @@ void DesktopApp::toggleViewOrSettings() {
 
 void DesktopApp::hidePanels() {
     menus_.panels.hidden = session_.running() && !menus_.panels.hidden;
+    if (menus_.panels.hidden) menus_.unfocus();
 }
 
 /// Shows all panels and resets the timings, for a lesson's start.

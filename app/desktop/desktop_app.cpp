@@ -168,11 +168,10 @@ void DesktopApp::runFrame() {
     messages_.expire(time);
     if (gl::debugBuild() || options_.watchShaders) shaderWatch_.update(shaders_, steps_.thread(), messages_, time);
     const bool captured = session_.running() && controls_.captured();
-    // In the list of lessons the program itself takes arrow keys and Enter.
-    const bool byKeyboard =
-        !session_.running() && (!home_.open || home_.attempts.shown() || home_.who.asked() || menus_.panels.settings);
-    interface_.begin(sections_.window.interfaceSize, captured, byKeyboard);
+    interface_.takeGamepad(input, gamepadUse(), seconds);
+    interface_.begin(sections_.window.interfaceSize, captured, keysChoose(), input);
     interface_.takeInput(input, captured);
+    keepFromTorch(input);
     handleKeys(input);
     tellRecordings(session_.log().recordings(), time, messages_);
     detail_.update(sections_.window.detail, session_.running(), headset_.inFrame() != nullptr);
@@ -195,6 +194,7 @@ void DesktopApp::runFrame() {
     if (screenshots_.asked()) screenshots_.take(picture_, session_, window_.pixels(), messages_, clock_.now());
     window_.swap();
     finishSteps(seconds);
+    if (request != MenuRequest::none) menus_.unfocus();
     act(request);
     settleQuestions();
     window_.captureMouse(session_.running() && controls_.captured());
@@ -317,10 +317,14 @@ void DesktopApp::preparePicture(double seconds) {
     const CoveredEdges covered = menus_.covered();
     session_.picture().frameCamera(controls_, covered,
                                    static_cast<float>(pixels.x) / static_cast<float>(std::max(pixels.y, 1)));
-    picture_.prepare(
-        session_, controls_,
-        {pixels, {covered.shift(), menus_.lift()}, seconds, sections_.window.picture, screenshots_.windowAsked(), steps_.due()},
-        &profiler_);
+    picture_.prepare(session_, controls_,
+                     {pixels,
+                      {covered.shift(), menus_.lift()},
+                      seconds,
+                      sections_.window.picture,
+                      screenshots_.windowAsked(),
+                      steps_.due()},
+                     &profiler_);
     figures_.picture = picture_.sentence();
 }
 

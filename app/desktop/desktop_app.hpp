@@ -21,6 +21,7 @@
 #include "app/desktop/window_picture.hpp"
 #include "app/desktop/window_sections.hpp"
 #include "app/desktop/window_telemetry.hpp"
+#include "app/session/gamepad_keys.hpp"
 #include "app/session/home.hpp"
 #include "app/session/lesson_session.hpp"
 #include "app/session/messages.hpp"
@@ -71,6 +72,10 @@ class DesktopApp {
     void toggle(bool PanelState::*panel);
     void toggleViewOrSettings();
     void hidePanels();
+    void toMenus();
+    GamepadUse gamepadUse();
+    bool keysChoose();
+    void keepFromTorch(InputFrame& input);
     void start(void (LessonSession::*begin)(Controls&));
     void moveByKeys(const InputFrame& input);
     void answerByKeys(const InputFrame& input);

@@ -2,6 +2,7 @@
 #include "app/desktop/desktop_app.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace meltpool {
 
@@ -31,10 +32,15 @@ void DesktopApp::moveInAttempts(const InputFrame& input) {
 /// Handles the keys of the pages before a lesson runs.
 void DesktopApp::moveByKeys(const InputFrame& input) {
     if (menus_.panels.overlaid()) return;
+    const bool tab = std::find(input.struck.begin(), input.struck.end(), Key::tab) != input.struck.end();
+    if (tab && !ui::Steering::kTabMoves && keysChoose()) interface_.showFocus(ImGuiDir_Down);
     if (home_.open && home_.who.asked()) return answerByKeys(input);
     if (home_.open && home_.attempts.shown()) return moveInAttempts(input);
-    if (home_.open && std::find(input.struck.begin(), input.struck.end(), Key::tab) != input.struck.end())
+    if (home_.open && tab) {
+        ImGui::SetWindowFocus("home");
+        interface_.showFocus(ImGuiDir_Left);
         return home_.attempts.show();
+    }
     for (const Key key : input.pressed) {
         if (!home_.open) break;
         home_.move((key == Key::right) - (key == Key::left), (key == Key::down) - (key == Key::up));
@@ -87,6 +93,35 @@ void DesktopApp::goOnByKeys(const InputFrame& input) {
     if (menus_.panels.overlaid() || !menus_.panels.result || !session_.attempt().judged() || session_.welds()) return;
     if (session_.question().asked() || seats_.question(Seat::desk).asked()) return;
     if (std::find(input.struck.begin(), input.struck.end(), Key::enter) != input.struck.end()) act(MenuRequest::next);
+}
+
+/// True if keys choose controls: on the pages before a lesson, in a running lesson's menus, and at a question. In the
+/// list of lessons the program itself takes arrow keys and Enter.
+bool DesktopApp::keysChoose() {
+    const bool asked = session_.question().asked() || seats_.question(Seat::desk).asked();
+    if (asked || menus_.panels.overlaid()) return true;
+    return session_.running() ? menus_.focused() : !home_.open || home_.attempts.shown() || home_.who.asked();
+}
+
+GamepadUse DesktopApp::gamepadUse() {
+    if (!session_.running() || keysChoose()) return GamepadUse::menus;
+    if (session_.picture().cut().shown()) return GamepadUse::cut;
+    return session_.activities().allowed().ownTorch ? GamepadUse::torch : GamepadUse::playing;
+}
+
+/// Takes away the input that chooses controls in a running lesson.
+void DesktopApp::keepFromTorch(InputFrame& input) {
+    if (!session_.running() || !keysChoose()) return;
+    const auto chooses = [all = menus_.focused()](Key key) {
+        const bool steers = (key >= Key::left && key <= Key::down) || key == Key::enter || key == Key::space;
+        return steers || (all && key < Key::f1 && key != Key::escape && key != Key::tab);
+    };
+    std::erase_if(input.pressed, chooses);
+    std::erase_if(input.struck, chooses);
+    for (size_t i = 0; i < input.held.size(); ++i)
+        if (chooses(static_cast<Key>(i))) input.held[i] = false;
+    const GamepadFrame gamepad = std::exchange(input.gamepad, {});
+    input.gamepad.connected = gamepad.connected;
 }
 
 void DesktopApp::handleKeys(const InputFrame& input) {

@@ -28,12 +28,12 @@ float DesktopMenus::coveredRight() {
     return panels.simulation && !panels.hidden && !machineWaits_ ? ui::panelReach(interface_.context()) : 0;
 }
 
-    const glm::vec2 size = glm::max(window_.size(), glm::ivec2(1));
-    const float bar = panels.hidden ? 0 : ui::barHeight(interface_.context()) / size.y;
-    CoveredEdges covered{coveredLeft() / size.x, coveredRight() / size.x, bar, bar};
-    if (covered.left + covered.right > kMostCovered) covered.left = covered.right = 0;
-    if (2 * bar > kMostCovered) covered.bottom = covered.top = 0;
-    return covered;
+const glm::vec2 size = glm::max(window_.size(), glm::ivec2(1));
+const float bar = panels.hidden ? 0 : ui::barHeight(interface_.context()) / size.y;
+CoveredEdges covered{coveredLeft() / size.x, coveredRight() / size.x, bar, bar};
+if (covered.left + covered.right > kMostCovered) covered.left = covered.right = 0;
+if (2 * bar > kMostCovered) covered.bottom = covered.top = 0;
+return covered;
 }
 
 float DesktopMenus::lift() {
@@ -58,12 +58,16 @@ MenuRequest DesktopMenus::draw(const DesktopMenuContent& content) {
         request = ui::startMenu(context, session, content.home, content.driver);
     else if (!panels.hidden)
         request = drawPanels(content);
-    ui::questionOverlay(context, session.question().asked() ? session.question() : content.seatQuestion);
+    Question& question = session.question().asked() ? session.question() : content.seatQuestion;
+    ui::questionOverlay(context, question);
+    if (!std::exchange(asked_, question.asked()) && asked_) interface_.showFocus(ImGuiDir_Left);
     panels.settings = panels.settings && content.home.open;
     if (panels.settings) ui::settingsOverlay(context, panels.settings, content.viewSections);
     if (panels.help) ui::helpOverlay(context, panels.help, keysOf(content));
     const bool running = session.running();
     inLesson_ = running;
+    if (!running) focused_ = false;
+    occupied_ = ImGui::IsAnyItemActive() || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     ui::messageStack(context, content.messages, running ? coveredLeft() : 0, running ? coveredRight() : 0);
     return request;
 }
@@ -72,7 +76,9 @@ MenuRequest DesktopMenus::drawPanels(const DesktopMenuContent& content) {
     ui::Context& context = interface_.context();
     const Lesson& lesson = content.session.lesson();
     MenuRequest request = ui::topBar(context, panels, content.controls, content.session);
-    ui::statusBar(context, content.figures, keysOf(content));
+    ui::KeySituation keys = keysOf(content);
+    keys.menus = focused_;
+    ui::statusBar(context, content.figures, keys);
     if (!content.figures.caption.empty())
         ui::captionLine(context, content.figures.caption, coveredLeft(), coveredRight());
     const Activities& activities = content.session.activities();
@@ -100,6 +106,20 @@ MenuRequest DesktopMenus::drawPanels(const DesktopMenuContent& content) {
     if (panels.timings)
         ui::timingsPanel(context, content.profiler, content.figures, content.frameMs, content.driver, panels.view);
     return request;
+}
+
+void DesktopMenus::focusNext() {
+    const char* const next = focused_ && !panels.hidden ? interface_.context().windows.following() : ui::kTopBar;
+    focused_ = true;
+    panels.hidden = false;
+    if (next == nullptr) return;
+    ImGui::SetWindowFocus(next);
+    // The bar is a row, a panel a column.
+    interface_.showFocus(next == ui::kTopBar ? ImGuiDir_Down : ImGuiDir_Left);
+}
+
+void DesktopMenus::unfocus() {
+    if (std::exchange(focused_, false)) ImGui::SetWindowFocus(nullptr);
 }
 
 void DesktopMenus::showResult(const LessonSession& session) {

@@ -41,6 +41,16 @@ class DesktopMenus {
     /// Opens the result panel if the lesson has one.
     void showResult(const LessonSession& session);
 
+    /// Gives the keys to the menus of the running lesson: to the top bar, then to the next open panel each time.
+    void focusNext();
+    /// Gives the keys back to the torch.
+    void unfocus();
+    bool focused() const { return focused_; }
+    /// Like unfocus(), unless Escape ends something within the menus: a list, the typing of a number.
+    void leaveFocus() {
+        if (!occupied_) unfocus();
+    }
+
     /// Edges of the window that panels and bars cover. Panels that leave no room for the metal do not count.
     CoveredEdges covered();
     /// Distance by which the picture is raised over the panel of a replay, as a share of half the height.
@@ -59,6 +69,9 @@ class DesktopMenus {
     /// room.
     bool machineWaits_ = false;
     bool replays_ = false;         ///< the replay's panel is shown
+    bool focused_ = false;         ///< keys choose controls of the running lesson
+    bool occupied_ = false;        ///< a control is being changed or a list is open, in the last frame
+    bool asked_ = false;           ///< a question was shown in the last frame
     bool resultFromTop_ = false;   ///< the next frame shows the result's top
     bool resultIsNewer_ = false;   ///< the result opened after the panels at its place
     bool timingsAreNewer_ = false; ///< choice if both panels at the left are open in the next frame

@@ -3,7 +3,9 @@
 
 #include "app/session/input.hpp"
 
+#include <array>
 #include <span>
+#include <string_view>
 
 namespace meltpool {
 
@@ -12,8 +14,14 @@ namespace meltpool {
 /// A stick or trigger close to its rest counts as at rest, since no stick rests at 0.
 GamepadFrame gamepadFrame(std::span<const float, 6> axes, std::span<const unsigned char, 15> buttons);
 
+/// Reads a gamepad from a text: six axes as above, then the names of the pressed buttons, each of
+/// kGamepadButtonNames. A missing axis is at rest; unknown words are left out.
+GamepadFrame gamepadFromText(std::string_view text);
+/// Names of GLFW_GAMEPAD_BUTTON_* in their order.
+extern const std::array<std::string_view, 15> kGamepadButtonNames;
+
 /// Reads the first gamepad for which GLFW knows a mapping; returns one at rest if there is none. Needs a started window
-/// system, see startWindowSystem().
+/// system, see startWindowSystem(). If the environment variable MELTPOOL_GAMEPAD names a file, its text is the gamepad.
 GamepadFrame readGamepad();
 
 } // namespace meltpool

@@ -34,7 +34,13 @@ void Interface::rebuildFonts(float scale, float pixelScale) {
 #endif
 }
 
-void Interface::begin(float size, bool captured, bool byKeyboard) {
+void Interface::takeGamepad(InputFrame& input, GamepadUse use, double seconds) {
+    gamepadKeys_.translate(input, use, seconds);
+    context_.gamepad = input.gamepad.connected;
+    context_.byGamepad = gamepadKeys_.lastUsed();
+}
+
+void Interface::begin(float size, bool captured, bool byKeyboard, const InputFrame& input) {
     constexpr float kLargest = 6; // three times an ordinary density, with text of twice the size
     const float scale = std::clamp(window_.interfaceScale() * size, 0.5f, kLargest);
     // The sizes stay fixed while a slider is dragged, or it would move away from the mouse.
@@ -56,6 +62,7 @@ void Interface::begin(float size, bool captured, bool byKeyboard) {
     const Clock::time_point now = Clock::now();
     io.DeltaTime = std::max(std::chrono::duration<float>(now - lastBegin_).count(), 1e-4f);
     lastBegin_ = now;
+    steering_.press(byKeyboard, input);
     ImGui::NewFrame();
     context_.beginFrame();
 }

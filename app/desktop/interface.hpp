@@ -2,7 +2,9 @@
 // itself.
 #pragma once
 
+#include "app/desktop/steering.hpp"
 #include "app/desktop/window.hpp"
+#include "app/session/gamepad_keys.hpp"
 #include "app/ui/widgets.hpp"
 
 #include <chrono>
@@ -17,9 +19,14 @@ class Interface {
     Interface(const Interface&) = delete;
     Interface& operator=(const Interface&) = delete;
 
+    /// Adds the keys that the gamepad's buttons mean now to `input`, and lets hints name what is in use. Call before
+    /// begin().
+    void takeGamepad(InputFrame& input, GamepadUse use, double seconds);
     /// Begins a frame. `size`: the person's factor on the desktop's scale. `captured`: the interface ignores the mouse.
-    /// `byKeyboard`: keys move between the controls.
-    void begin(float size, bool captured, bool byKeyboard);
+    /// `byKeyboard`: keys and the gamepad's buttons move between the controls; `input`: of this frame.
+    void begin(float size, bool captured, bool byKeyboard, const InputFrame& input);
+    /// Shows the keyboard's focus in the next frame, see Steering::show().
+    void showFocus(ImGuiDir idle) { steering_.show(idle); }
     /// Removes the interface's own input from `input`. Call between begin() and end().
     void takeInput(InputFrame& input, bool captured) const;
     /// Draws the frame into the window's frame buffer.
@@ -37,6 +44,8 @@ class Interface {
     Window& window_;
     Context context_;
     float pixelScale_ = 0;
+    GamepadKeys gamepadKeys_;
+    Steering steering_;
     Clock::time_point lastBegin_ = Clock::now();
 };
 

@@ -58,6 +58,7 @@ constexpr std::array<std::pair<int, Key>, static_cast<size_t>(Key::count) + 1> k
     {GLFW_KEY_F4, Key::f4},
     {GLFW_KEY_F5, Key::f5},
     {GLFW_KEY_F6, Key::f6},
+    {GLFW_KEY_F9, Key::f9},
     {GLFW_KEY_F10, Key::f10},
     {GLFW_KEY_F11, Key::f11},
     {GLFW_KEY_F12, Key::f12},
@@ -245,18 +246,33 @@ void Window::swap() {
     glfwSwapBuffers(window_);
 }
 
+/// Waits up to `patience` seconds for an event. A gamepad sends none, so its state is looked at often.
+void Window::await(double patience) {
+    constexpr double kLook = 0.02; // s
+    for (bool first = true; first || patience > 0; first = false) {
+        const double part = gamepad_.connected ? std::min(patience, kLook) : patience;
+        if (part > 0)
+            glfwWaitEventsTimeout(part);
+        else
+            glfwPollEvents();
+        patience -= std::max(part, 0.0);
+        // Another program may use the same gamepad.
+        const GamepadFrame now = focused_ ? readGamepad() : GamepadFrame{};
+        GamepadFrame resting;
+        resting.connected = now.connected;
+        if (now != std::exchange(gamepad_, now) || now != resting) stir();
+        if (quietPolls_ == 0) return;
+    }
+}
+
 InputFrame Window::poll(double patience) {
     if (stirred()) ++quietPolls_;
-    if (patience > 0)
-        glfwWaitEventsTimeout(patience);
-    else
-        glfwPollEvents();
+    await(patience);
     // A key or button pressed and released between two frames counts as held in one frame.
     gathering_.held |= down_;
     gathering_.leftHeld |= leftDown_;
     gathering_.rightHeld |= rightDown_;
-    // Another program may use the same gamepad.
-    if (focused_) gathering_.gamepad = readGamepad();
+    gathering_.gamepad = gamepad_;
     return std::exchange(gathering_, InputFrame{});
 }
 
@@ -297,6 +313,7 @@ void Window::onButton(int button, bool down) {
 void Window::onFocus(bool focused) {
     stir();
     focused_ = focused;
+    gathering_.lostFocus |= !focused;
     readKeyNames();
 }
 

@@ -1,4 +1,4 @@
-// Opens a window with an OpenGL 4.5 context and reads keyboard and mouse.
+// Opens a window with an OpenGL 4.5 context and reads keyboard, mouse and gamepad.
 #pragma once
 
 #include "app/desktop/window_place.hpp"
@@ -71,6 +71,7 @@ class Window {
 
   private:
     void open(const Options& options);
+    void await(double patience);
     void stir() { quietPolls_ = 0; }
     void onKey(int key, int action, int modifiers);
     void readKeyNames();
@@ -89,6 +90,7 @@ class Window {
     int quietPolls_ = 0; ///< polls since the last event
     gl::ContextInfo driver_;
     InputFrame gathering_;
+    GamepadFrame gamepad_; ///< at the last poll
     KeyNames keyNames_;
     std::bitset<static_cast<size_t>(Key::count)> down_;
     bool leftDown_ = false;

@@ -233,6 +233,8 @@ void WindowTelemetry::writeLine(const TelemetryRow& row) {
         {"messages", messageTexts(row.messages)},
         {"keys", keyNames(*row.context.keys)},
         {"places", places(row.context)},
+        {"focus", row.context.focus},
+        {"by_gamepad", row.context.byGamepad},
         {"screenshot", row.screenshot},
         {"judgement", judgement(row.judged)},
         {"demonstration", demonstration(row.activities)},

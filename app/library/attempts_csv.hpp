@@ -12,10 +12,10 @@
 namespace meltpool {
 
 /// Columns of an attempt in the table, and its keys in JSON.
-inline constexpr std::array kAttemptColumns{"date",    "lesson",   "lesson_file", "attempt", "seconds",    "score",
-                                            "verdict", "practice", "real_time",   "ended",   "state_hash", "bytes",
-                                            "program", "driver",   "file",        "person",  "person_id",
-                                            "title",   "test"};
+inline constexpr std::array kAttemptColumns{"date",       "lesson",    "lesson_file", "attempt",   "seconds",
+                                            "score",      "verdict",   "practice",    "real_time", "ended",
+                                            "state_hash", "bytes",     "program",     "driver",    "file",
+                                            "person",     "person_id", "title",       "test"};
 
 /// Values of an attempt, in the order of the columns; null for what it does not have. Reads its head and end. Throws
 /// as readRecordingSummary().

@@ -26,8 +26,8 @@ struct KeptAttempt {
     std::uint64_t bytes = 0;  ///< size of the file
     std::string person = {};  ///< name of the person who welded; empty: not named
     std::string personId = {}; ///< see AttemptHead
-    bool test = false;        ///< true: welded for score
-    std::string title;        ///< name that a person gave it; empty: none
+    bool test = false;         ///< true: welded for score
+    std::string title;         ///< name that a person gave it; empty: none
 };
 
 /// A recording's entry. Reads its head and end. Throws InputError if it is none.

@@ -19,12 +19,17 @@ float axis(const InputFrame& input, Key positive, Key negative) {
     return static_cast<float>(input.isHeld(positive)) - static_cast<float>(input.isHeld(negative));
 }
 
-/// Travel of the mouse button, the space bar or the trigger, 0..1.
-float pulled(const InputFrame& input) {
-    return input.leftHeld || input.isHeld(Key::space) ? 1.0f : input.gamepad.rightTrigger;
+} // namespace
+
+/// True if mouse button or space bar weld.
+bool Controls::weldsByDesk(const InputFrame& input) const {
+    return input.leftHeld || (parameters.spaceLatch ? latched_ : input.isHeld(Key::space));
 }
 
-} // namespace
+/// Travel of the mouse button, the space bar or the gamepad's trigger, 0..1.
+float Controls::pulled(const InputFrame& input) const {
+    return weldsByDesk(input) ? 1.0f : input.gamepad.rightTrigger;
+}
 
 void Controls::pull(float trigger) {
     trigger_ = trigger;
@@ -39,7 +44,9 @@ void Controls::update(const InputFrame& frame, double seconds) {
         if (key == Key::c) capture(!captured_);
         if (key == Key::escape) capture(false);
         if (key == Key::f) source_.setCold(!source_.cold());
+        if (key == Key::space) latched_ = parameters.spaceLatch && mode_ == Mode::interact && !latched_;
     }
+    if (input.lostFocus) latched_ = false;
     const float time = static_cast<float>(std::clamp(seconds, 0.0, kLongestFrame));
     if (mode_ == Mode::interact)
         work(input, time);
@@ -51,12 +58,15 @@ void Controls::work(const InputFrame& input, float seconds) {
     const float turn = kOrbitSpeed * parameters.cameraSpeed * seconds;
     orbit_.orbit({axis(input, Key::d, Key::a) * turn, axis(input, Key::w, Key::s) * turn});
     const float away = axis(input, Key::e, Key::q) * kApproachSpeed * parameters.cameraSpeed * seconds;
-    const bool wheelForTorch = leadsTorch_ && (captured_ || input.leftHeld || input.isHeld(Key::space));
+    const bool wheelForTorch = leadsTorch_ && (captured_ || weldsByDesk(input));
     orbit_.approach(std::exp(away - (wheelForTorch ? 0 : input.scroll) * kNotch));
 
     hand_ = input;
     if (!wheelForTorch) hand_.scroll = 0;
-    if (!leadsTorch_) source_.move(input, orbit_.forward(), parameters);
+    if (!leadsTorch_) {
+        source_.move(input, orbit_.forward(), parameters);
+        source_.lead(input.gamepad, orbit_.forward(), parameters, seconds);
+    }
     pull(lock_.pass(pulled(input)));
 }
 

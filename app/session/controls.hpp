@@ -21,6 +21,8 @@ class Controls {
     /// moves the source (or turns the camera); a free one does so while a button is held on the picture. After a reset,
     /// a change of mode and a captured or freed mouse, the left button heats only once it has been released; so does a
     /// gamepad's right trigger.
+    /// With ControlParameters::spaceLatch the space bar switches the heat on and off; whatever locks the trigger, and
+    /// another window with the keyboard, switch it off.
     void update(const InputFrame& input, double seconds);
 
     /// Moves the source back to its start and switches it off; cameras and mode stay.
@@ -46,6 +48,7 @@ class Controls {
     /// Switches the source off until the left button is released.
     void putOut(ArcOut reason) {
         lock_.lock(reason);
+        latched_ = false;
         pull(0);
     }
 
@@ -63,6 +66,8 @@ class Controls {
 
   private:
     void pull(float trigger);
+    bool weldsByDesk(const InputFrame& input) const;
+    float pulled(const InputFrame& input) const;
     void capture(bool captured);
     void work(const InputFrame& input, float seconds);
     void look(const InputFrame& input, float seconds);
@@ -70,6 +75,7 @@ class Controls {
     Mode mode_ = Mode::interact;
     bool captured_ = false;
     bool leadsTorch_ = false;
+    bool latched_ = false; ///< the space bar has switched the heat on
     InputFrame hand_;
     float trigger_ = 0;
     FreeCamera free_;

@@ -3,6 +3,7 @@
 #include "core/training/lesson/lesson.hpp"
 #include "core/weld/torch/torch_moves.hpp"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -31,6 +32,8 @@ constexpr double kInto = -0.5 * kMm;   // of an electrode or iron, which touches
 constexpr double kLongest = 60 * kMm;
 constexpr double kRise = 4 * kMm;      // m/s at which a hand rises with the growing pool
 constexpr double kKeyRamp = 0.12;      // s in which the keys' speed changes
+constexpr float kSteepSeam = 0.4F;     // of the seam's direction on the screen, to the side
+constexpr double kStickAside = 0.5;    // share of a stick's push that counts as its error to the other side
 constexpr double kPointsPerMove = 100; // points of mouse travel per move of ControlParameters::torchMouse
 constexpr double kRodFeed = 4 * kMm;                        // m/s of the fingers while a rod is dipped
 constexpr double kRodTime = 0.15;                           // s from rest into the pool
@@ -71,6 +74,17 @@ ScreenAxes axesOf(const SeamFrame& seam, const glm::mat3& toScreen) {
     return {along, turned ? -across : across};
 }
 
+/// Leaves out the smaller part of a stick's push, as far as it is small beside the greater one: a thumb does not aim as
+/// well as a torch has to go.
+glm::dvec2 alongOrAcross(const glm::dvec2& push) {
+    const auto kept = [](double part, double other) {
+        const double size = std::abs(part), rest = size - kStickAside * std::abs(other);
+        if (size >= std::abs(other)) return part;
+        return std::copysign(std::max(rest, 0.0) / (1 - kStickAside), part);
+    };
+    return {kept(push.x, push.y), kept(push.y, push.x)};
+}
+
 double between(double from, double to, double share) {
     return from + (to - from) * share;
 }
@@ -99,6 +113,7 @@ void DeskTorch::begin(const Lesson& lesson) {
     held_ = wanted_;
     left_ = time_ = 0;
     keyPace_ = {};
+    keyWays_ = glm::dmat2(0);
     guided_ = false;
     led_.reset();
 }
@@ -158,20 +173,30 @@ void DeskTorch::takeKeys(const InputFrame& input) {
     wanted_.dip = rod_ && dips ? 1 : 0;
 }
 
-/// Leads the torch on the screen while Shift and arrow keys are held, with soft starts and ends.
+/// Leads the torch along and across the seam while Shift and arrow keys are held, with soft starts and ends.
 void DeskTorch::leadByKeys(const InputFrame& input, const DeskFrame& frame, double speed) {
-    glm::dvec2 wanted{0};
+    glm::dvec2 held{0};
     if (input.isHeld(Key::shift)) {
-        wanted.x = static_cast<double>(input.isHeld(Key::right)) - static_cast<double>(input.isHeld(Key::left));
-        wanted.y = static_cast<double>(input.isHeld(Key::up)) - static_cast<double>(input.isHeld(Key::down));
+        held.x = static_cast<double>(input.isHeld(Key::right)) - static_cast<double>(input.isHeld(Key::left));
+        held.y = static_cast<double>(input.isHeld(Key::up)) - static_cast<double>(input.isHeld(Key::down));
     }
-    keyPace_ += (wanted - keyPace_) * (1 - std::exp(-frame.seconds / kKeyRamp));
-    lead(glm::vec2(keyPace_ * (speed * frame.seconds)), frame.toScreen);
+    if (held == glm::dvec2(0) || keyWays_ == glm::dmat2(0)) { // a held key keeps its way round a pipe
+        const ScreenAxes axes = axesOf(seam_->at(wanted_.place), frame.toScreen);
+        const bool steep = std::abs(axes.along.x) < kSteepSeam;
+        const auto sign = [](float way) { return std::copysign(1.0, static_cast<double>(way)); };
+        keyWays_ = steep ? glm::dmat2(0, sign(axes.across.x), sign(axes.along.y), 0)
+                         : glm::dmat2(sign(axes.along.x), 0, 0, sign(axes.across.y));
+    }
+    keyPace_ += (keyWays_ * held - keyPace_) * (1 - std::exp(-frame.seconds / kKeyRamp));
+    wanted_.place += keyPace_.x * speed * frame.seconds;
+    wanted_.aim += keyPace_.y * speed * frame.seconds;
 }
 
 void DeskTorch::takeGamepad(const GamepadFrame& gamepad, const DeskFrame& frame, double speed) {
-    lead(gamepad.left * static_cast<float>(speed * frame.seconds), frame.toScreen);
     const ScreenAxes axes = axesOf(seam_->at(wanted_.place), frame.toScreen);
+    const glm::dvec2 push = alongOrAcross({glm::dot(gamepad.left, axes.along), glm::dot(gamepad.left, axes.across)});
+    wanted_.place += push.x * speed * frame.seconds;
+    wanted_.aim += push.y * speed * frame.seconds;
     const double lean = kLeanRate * frame.seconds;
     // A pushing torch leans its handle back against its direction.
     wanted_.travel -= static_cast<double>(glm::dot(gamepad.right, axes.along)) * lean;

@@ -8,6 +8,7 @@
 #include "core/weld/torch/hand_tremor.hpp"
 #include "core/weld/torch/torch_sample.hpp"
 
+#include <glm/mat2x2.hpp>
 #include <glm/mat3x3.hpp>
 
 #include <optional>
@@ -30,7 +31,8 @@ struct DeskPose {
 /// Conditions of a frame other than the hand's input.
 struct DeskFrame {
     glm::mat3 toScreen{1}; ///< rotates directions of the workpiece's frame into the view, x right and y up
-    double seconds = 0;    ///< s of real time since the last frame
+    /// Metal's time of the frame, s: keys and sticks lead at one speed over the metal on a slow computer too.
+    double seconds = 0;
 };
 
 /// Torch of the desk. Once a frame the input sets its target; the steps of the frame move it there evenly. The mouse
@@ -48,11 +50,12 @@ class DeskTorch {
 
     /// Takes a frame's input. Mouse travel on the screen becomes travel along and across the seam; a wheel notch is 0.5
     /// mm of distance, an arrow key 1 degree of travel (left, right) or work angle (up, down), a page key 0.5 mm of
-    /// distance. Arrow keys held with Shift lead the torch on the screen at the keys' speed. A gamepad's left stick
-    /// leads like the mouse and its right stick leans the handle on the screen; its shoulders change the distance and
-    /// its left trigger dips the rod. With a guide speed the torch travels by itself while it welds, in the metal's
-    /// time, up to the end of its range. `process`: settings now; a contact tip does not move when the stick-out
-    /// changes.
+    /// distance. Arrow keys held with Shift lead the torch at the keys' speed: left and right along the seam,
+    /// up and down across it, or the other way round where the seam is steep on the screen. A gamepad's left stick
+    /// leads on the screen, in a push nearly along the seam exactly along it, and its right stick leans the handle; its
+    /// shoulders change the distance and its left trigger dips the rod. With a guide speed the torch travels by itself
+    /// while it welds, in the metal's time, up to the end of its range. `process`: settings now; a contact tip does not
+    /// move when the stick-out changes.
     void update(const InputFrame& input, const DeskFrame& frame, const ControlParameters& parameters,
                 const ProcessSettings& process);
 
@@ -96,7 +99,8 @@ class DeskTorch {
     DeskPose held_;   ///< pose at the last step
     double pool_ = 0; ///< m by which the demonstration is held higher, over its pool
     double rise_ = 0; ///< m of that which this torch has risen
-    glm::dvec2 keyPace_{0}; ///< share of the keys' speed on the screen, x right and y up
+    glm::dvec2 keyPace_{0}; ///< share of the keys' speed along and across the seam
+    glm::dmat2 keyWays_{0}; ///< turns held arrows, x right and y up, into ways along and across
     double left_ = 0; ///< m that the guide went beyond the hand's own way
 };
 

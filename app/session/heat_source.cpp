@@ -8,6 +8,7 @@ namespace meltpool {
 namespace {
 
 constexpr glm::vec3 kUp{0, 1, 0};
+constexpr float kStickSpeed = 0.6f;   ///< box units a second with a stick pushed all the way at speed 1
 constexpr float kPointsPerUnit = 500; ///< mouse travel for one box unit at speed 1
 
 /// Horizontal unit vector away from the person. A view straight down or up has none: then it is -z.
@@ -33,6 +34,8 @@ ParameterList describe(ControlParameters& p) {
          "Makes a welding torch tremble like a hand. 1 is 0.3 mm and 2 degrees at 8 Hz; 0 is still."},
         {"key_speed_mm_s", "Speed of the keys", "mm/s", &p.keySpeed, 1, 30,
          "Speed of a welding torch while you hold Shift and an arrow key."},
+        {"space_latch", "Space starts and stops the weld", "", &p.spaceLatch, 0, 1,
+         "Press the space bar once to weld and once more to stop, instead of holding it."},
         {"gamepad_speed_mm_s", "Speed of a gamepad's stick", "mm/s", &p.gamepadSpeed, 1, 60,
          "Speed of a welding torch with the left stick pushed all the way."},
         {"look_speed", "Mouse speed when looking", "", &p.lookSpeed, 0.1, 5, "Turning speed of the free camera."},
@@ -73,6 +76,13 @@ void SteeredSource::move(const InputFrame& input, glm::vec3 view, const ControlP
     const glm::vec2 hand = input.mouseMove * (parameters.sourceMouseSpeed / kPointsPerUnit);
     shift += side * hand.x - (input.rightHeld ? away : kUp) * hand.y;
     setPosition(position_ + shift);
+}
+
+void SteeredSource::lead(const GamepadFrame& gamepad, glm::vec3 view, const ControlParameters& parameters,
+                         float seconds) {
+    const glm::vec3 away = awayFrom(view);
+    const glm::vec3 way = glm::cross(away, kUp) * gamepad.left.x + kUp * gamepad.left.y + away * gamepad.right.y;
+    setPosition(position_ + way * (kStickSpeed * parameters.sourceMouseSpeed * seconds));
 }
 
 void SteeredSource::setPosition(glm::vec3 position) {

@@ -19,6 +19,7 @@ struct ControlParameters {
     float guideSpeed = 0;          ///< mm/s at which a welding torch travels along the seam by itself while it welds
     float tremor = 0;              ///< tremor of the hand with a welding torch, as a multiple of a practised one's
     float keySpeed = 6;            ///< mm/s of a welding torch with Shift and an arrow key held
+    bool spaceLatch = false;       ///< true: the space bar starts and stops the weld; false: it welds while held
     float gamepadSpeed = 15;       ///< mm/s of a welding torch with a gamepad's stick pushed all the way
 };
 ParameterList describe(ControlParameters& parameters);
@@ -32,6 +33,9 @@ class SteeredSource {
     /// to its side, page keys up and down; mouse travel moves it sideways and up, with the right button held forward
     /// instead of up.
     void move(const InputFrame& input, glm::vec3 view, const ControlParameters& parameters);
+
+    /// Moves the source for `seconds`: a gamepad's left stick sideways and up, its right stick farther and nearer.
+    void lead(const GamepadFrame& gamepad, glm::vec3 view, const ControlParameters& parameters, float seconds);
 
     void reset();
     void setOn(bool on) { on_ = on; }

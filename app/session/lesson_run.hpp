@@ -76,6 +76,8 @@ class LessonRun {
     /// Makes the steps; may run on the thread of the metal's context, while the picture shows the metal as it was.
     void makeSteps(gl::Profiler* profiler);
     void finishSteps();
+    /// Metal's time of the frame's steps, s. Requires metal, after beginSteps().
+    double secondsDue() const { return due_ * trainer_->timeStep(); }
 
     /// Marks the metal as changed since the last noteMetal().
     void metalChanged() { changed_ = true; }

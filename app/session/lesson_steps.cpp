@@ -55,7 +55,7 @@ bool LessonSession::beginSteps(const Controls& controls, double seconds, gl::Pro
     attempt().cues().setHeldByDesk(deskLeads ? lead_.desk().held() : QuantitySet());
     if (due && deskLeads) {
         const glm::mat3 toScreen = glm::mat3(controls.view(1).worldToEye) * picture_.fixture().turn;
-        lead_.update(controls, toScreen, seconds, run_.trainer()->lesson().process);
+        lead_.update(controls, toScreen, run_.secondsDue(), run_.trainer()->lesson().process);
     }
     return due;
 }

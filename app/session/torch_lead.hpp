@@ -27,7 +27,7 @@ class TorchLead {
     void take(bool held) { held_ = held; }
     TorchLeader leader(const Allowed& allowed) const;
 
-    /// Takes the desk's input of this frame, see DeskTorch::update(). `toScreen`: see DeskFrame.
+    /// Takes the desk's input of this frame, see DeskTorch::update(). `toScreen`, `seconds`: see DeskFrame.
     void update(const Controls& controls, const glm::mat3& toScreen, double seconds, const ProcessSettings& process);
     /// Torch of the person at the end of step `step` of the frame's `steps`. If its leader changed since the last step,
     /// the arc goes out before the torch moves. `turn`: from the workpiece's frame to the room's.

@@ -225,7 +225,7 @@ bool attemptRow(Context& context, ReplayList& list, const Layout& layout, size_t
 
 MenuRequest rowsPart(Context& context, ReplayList& list, const std::vector<size_t>& rows, const Layout& layout) {
     MenuRequest request = MenuRequest::none;
-    beginFlatChild("attempts.rows", {0, 0});
+    beginPart("attempts.rows", {0, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
     ImGui::PushStyleColor(ImGuiCol_Header, kChosen);
     list.rowFocused = false;
@@ -334,14 +334,14 @@ MenuRequest attemptTable(Context& context, Home& home, Activities& activities) {
     const float room = ImGui::GetContentRegionAvail().x - context.points(kActionsWidth + kGap);
     // Below the table, so that no button moves away from the pointer.
     const float below = context.attemptsNotice > 0 ? -context.attemptsNotice - ImGui::GetStyle().ItemSpacing.y : 0;
-    beginFlatChild("attempts.table", {room, below});
+    beginPart("attempts.table", {room, below});
     const Layout layout = layoutFor(context, ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ScrollbarSize);
     headings(context, list, layout);
     MenuRequest request = rowsPart(context, list, rows, layout);
     if (rows.empty()) quietText(context, phrase("attempts.no_match"));
     ImGui::EndChild();
     ImGui::SameLine(0, context.points(kGap));
-    beginFlatChild("attempts.actions", {0, below});
+    beginPart("attempts.actions", {0, below});
     const MenuRequest asked = actionsPart(context, list, rows.empty() ? std::nullopt : list.selected());
     if (asked != MenuRequest::none) request = asked;
     ImGui::EndChild();

@@ -194,7 +194,8 @@ float barHeight(const Context& context) {
 
 MenuRequest topBar(Context& context, PanelState& panels, const Controls& controls, const LessonSession& session) {
     MenuRequest request = MenuRequest::none;
-    beginBar(context, "top bar", 0);
+    beginBar(context, kTopBar, 0);
+    noteWindow(context, kTopBar);
     drawSign(*ImGui::GetWindowDrawList(), {context.points(28), barHeight(context) / 2}, context.points(28));
     ImGui::SetCursorPosX(context.points(50));
     ImGui::AlignTextToFramePadding();
@@ -260,6 +261,7 @@ void statusBar(Context& context, const LessonFigures& figures, const KeySituatio
     for (const KeyRow& row : guide.rows()) {
         if (row.hint.empty()) continue;
         const ShortText key = keyRowName(context, row);
+        if (key.empty()) continue;
         const char* const what = phrase(row.hint).c_str();
         const float need = ImGui::CalcTextSize(key.c_str()).x + ImGui::CalcTextSize(what).x + context.points(40);
         if (ImGui::GetCursorPosX() + need > right) break;

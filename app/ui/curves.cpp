@@ -188,7 +188,7 @@ CurveAnswer curveChart(Context& context, const CurveChart& chart, std::span<cons
     const CurveSheet& sheet = answer.sheet;
     answer.drawn = !sheet.places.empty() && (!sheet.values.empty() || !chart.places.empty());
     if (!answer.drawn) return answer;
-    answer.clicked = ImGui::InvisibleButton(ShortText(chart.name).c_str(), size);
+    answer.clicked = ImGui::InvisibleButton(ShortText(chart.name).c_str(), size) && ImGui::IsMouseReleased(0);
     answer.hovered = ImGui::IsItemHovered();
     markItem(context, chart.name);
     const double share = (static_cast<double>(ImGui::GetIO().MousePos.x) - sheet.left) / (sheet.right - sheet.left);

@@ -53,6 +53,7 @@ MenuRequest demonstrationBar(Context& context, LessonSession& session, float lef
     ImGui::Begin("demonstration", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+    noteWindow(context, "demonstration");
     const MenuRequest request = demonstrationPart(context, session);
     ImGui::End();
     return request;

@@ -81,6 +81,7 @@ bool lessonTile(Context& context, Home& home, size_t index, ImVec2 size, bool be
     fillRounded(draw, low, high, hovered ? colour::kFieldHot : colour::kField, context.points(4));
     drawLesson(context, home, lesson, low, high, beside);
     const bool chosen = byKeys && index == home.chosenIndex();
+    if (chosen && !home.attempts.shown()) context.focus = name;
     if (chosen || hovered)
         outlineRounded(draw, low, high, chosen ? colour::kAccent : colour::kQuiet, context.points(4));
     return clicked;
@@ -148,9 +149,10 @@ struct HomeWords {
     const char* hint;
 };
 
-HomeWords wordsOf(const Home& home, const Activities& activities) {
+HomeWords wordsOf(const Context& context, const Home& home, const Activities& activities) {
     if (home.who.asked()) return {"persons.heading", "persons.hint"};
-    if (!home.attempts.shown()) return {"home.lessons", "home.lessons_hint"};
+    if (!home.attempts.shown())
+        return {"home.lessons", context.byGamepad ? "home.lessons_hint_pad" : "home.lessons_hint"};
     if (activities.at(activities.comparison)) return {"home.two_attempts", "home.two_attempts_hint"};
     return {"home.attempts", "home.attempts_hint"};
 }
@@ -185,13 +187,13 @@ MenuRequest homePage(Context& context, Home& home, Activities& activities, const
     ImGui::SameLine(0, context.points(14));
     ImGui::BeginGroup();
     ImGui::PushFont(low ? context.fonts.strong : context.fonts.title);
-    const HomeWords words = wordsOf(home, activities);
+    const HomeWords words = wordsOf(context, home, activities);
     ImGui::TextUnformatted(phrase(words.heading).c_str());
     ImGui::PopFont();
     if (!low) quietText(context, phrase(words.hint));
     ImGui::EndGroup();
     if (!home.who.asked()) personsButton(context, home.who, true);
-    beginFlatChild("lessons", {0, -context.points(44)});
+    beginPart("lessons", {0, -context.points(44)});
     MenuRequest request = MenuRequest::none;
     if (home.who.asked())
         request = personsPart(context, home.who, true);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/session/controls.hpp"
+#include "app/session/gamepad_keys.hpp"
 #include "app/session/input.hpp"
 #include "app/session/lesson_session.hpp"
 #include "app/ui/widgets.hpp"
@@ -33,6 +34,8 @@ struct KeySituation {
     bool fadedCues = false;      ///< cues are hidden, as the person has mastered them
     bool showsFadedCues = false; ///< the person shows them nevertheless
     bool headset = false; ///< a headset is in use
+    bool latch = false;   ///< the space bar starts and stops the weld
+    bool menus = false;   ///< keys choose controls in the running lesson's menus
 };
 KeySituation keySituation(const Controls& controls, LessonSession& session, bool home, bool headset);
 
@@ -46,6 +49,7 @@ struct KeyRow {
     std::string_view name; ///< phrase that names keys or mouse; empty: the names of `keys`
     std::string_view what; ///< phrase of the effect
     std::string_view hint; ///< phrase of the effect in the status bar; empty: not there
+    std::string_view pad;  ///< phrase that names the gamepad's part with this effect; empty: none
 
     std::span<const Key> used() const { return std::span(keys).first(count); }
 };
@@ -57,7 +61,8 @@ class KeyGuide {
     std::span<const KeyRow> rows() const { return std::span(rows_).first(count_); }
 
   private:
-    void add(const KeyRow& row);
+    void add(const KeyRow& row, std::string_view pad = {});
+    void addMenus(const KeySituation& now);
     void addTorch(const KeySituation& now);
     void addPlaying(const KeySituation& now);
     void addWeld(const KeySituation& now);
@@ -65,11 +70,12 @@ class KeyGuide {
     void addCamera(const KeySituation& now);
     void addProgram(const KeySituation& now);
 
+    GamepadUse use_ = GamepadUse::menus;
     std::array<KeyRow, 40> rows_{};
     size_t count_ = 0;
 };
 
-/// Name of a row's keys on this keyboard.
+/// Name of a row's keys on this keyboard, or of the gamepad's part if the gamepad was used last; empty if it has none.
 ShortText keyRowName(const Context& context, const KeyRow& row);
 
 } // namespace meltpool::ui

@@ -15,7 +15,7 @@ constexpr float kPanelGap = 10;
 enum class Side { left, leftBeside, right };
 
 /// Begins a panel along one side of the picture, as tall as its content, at most down to the status bar.
-bool beginPanel(Context& context, const char* name, Side side) {
+void beginPanel(Context& context, const char* name, Side side) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float gap = context.points(kPanelGap);
     const float width = std::min(context.points(kPanelWidth), screen.x - 2 * gap);
@@ -23,9 +23,10 @@ bool beginPanel(Context& context, const char* name, Side side) {
     const float x = side == Side::right ? screen.x - width - gap : gap + (side == Side::leftBeside ? width + gap : 0);
     ImGui::SetNextWindowPos({x, barHeight(context) + gap});
     ImGui::SetNextWindowSizeConstraints({width, 0}, {width, room});
-    return ImGui::Begin(name, nullptr,
-                        ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+    ImGui::Begin(name, nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+    noteWindow(context, name);
 }
 
 void panelTitle(Context& context, const char* title, const char* what) {
@@ -138,7 +139,7 @@ void keyColumn(Context& context, const KeyGuide& guide, KeyHeading heading) {
     static constexpr std::array<std::string_view, size_t(KeyHeading::count)> kTitles{
         "help.heading.torch",  "help.heading.playing",     "help.heading.weld",
         "help.heading.camera", "help.heading.camera_free", "help.heading.program"};
-    const auto here = [heading](const KeyRow& row) { return row.heading == heading; };
+    const auto here = [&](const KeyRow& row) { return row.heading == heading && !keyRowName(context, row).empty(); };
     if (std::none_of(guide.rows().begin(), guide.rows().end(), here)) return;
     strongText(context, phrase(kTitles[size_t(heading)]));
     const float left = ImGui::GetCursorPosX();
@@ -173,7 +174,7 @@ void viewMenu(Context& context, std::span<const ParameterSection* const> section
          {"view", "Light", {"ambient", "diffuse", "specular", "shininess", "exposure", "light_position"}, false},
          {"controls",
           "Torch at the desk",
-          {"torch_mouse_mm", "key_speed_mm_s", "gamepad_speed_mm_s", "guide_speed_mm_s", "hand_tremor"},
+          {"torch_mouse_mm", "key_speed_mm_s", "space_latch", "gamepad_speed_mm_s", "guide_speed_mm_s", "hand_tremor"},
           false},
          {"sound", "Sound", {"volume", "captions"}, false},
          {"surface", "Expert: surface", {"influence", "iso_level", "caps"}, false},
@@ -277,6 +278,7 @@ void helpOverlay(Context& context, bool& open, const KeySituation& now) {
         keyColumn(context, guide, heading);
     ImGui::Columns(1);
     quietText(context, phrase(now.lesson ? "help.more" : "help.more_before"));
+    if (context.gamepad) quietText(context, phrase(context.byGamepad ? "help.more_pad" : "help.more_with_pad"));
     ImGui::Dummy({0, context.points(4)});
     if (button(context, "help.close", phrase("help.close").c_str(), ButtonKind::main, 140)) open = false;
     ImGui::End();

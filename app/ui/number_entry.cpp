@@ -25,7 +25,7 @@ bool NumberRange::takes(double value) const {
 
 void NumberEntry::open(std::string_view name, double value) {
     name_ = name;
-    std::snprintf(first_, sizeof first_, "%s", withDecimalMark(formatNumber(value)).c_str());
+    std::snprintf(first_, sizeof first_, "%s", withDecimalMark(formatNumber(static_cast<float>(value))).c_str());
     std::memcpy(text_, first_, sizeof text_);
     fresh_ = true;
     frame_ = ImGui::GetFrameCount();

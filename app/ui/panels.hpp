@@ -21,6 +21,9 @@
 
 namespace meltpool::ui {
 
+/// Name of the top bar's window.
+inline constexpr const char* kTopBar = "top bar";
+
 /// Width of the panels at the sides, with their gap to the picture; points.
 float panelReach(const Context& context);
 /// Height of the bars at the top and bottom, points.

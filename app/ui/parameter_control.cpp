@@ -89,36 +89,68 @@ std::string description(std::string_view table, const Parameter& p, std::string_
 
 NumberEntry entry; ///< the one text field of the interface
 
-/// Value that a slider had before it was pressed: a double click opens the text field and changes nothing.
+/// Value that a slider had before the mouse pressed it: a double click opens the text field and changes nothing.
 struct {
     std::string name;
     double value = 0;
-} pressed;
+} beforePress;
 
 bool opensEntry(const Context& context) {
     return context.typing && (ImGui::IsMouseDoubleClicked(0) || (ImGui::IsMouseClicked(0) && ImGui::GetIO().KeyCtrl));
 }
 
-/// Draws a thin track with a round handle. A double click or Ctrl and click opens the text field.
+/// Way that the arrow keys move the chosen slider's handle: 1 up, -1 down, 0 not.
+int arrowsOnSlider() {
+    const auto pressed = [](ImGuiKey key) {
+#if IMGUI_VERSION_NUM < 18700
+        const int index = ImGui::GetKeyIndex(key);
+        return index >= 0 && ImGui::IsKeyPressed(index);
+#else
+        return ImGui::IsKeyPressed(key);
+#endif
+    };
+    return static_cast<int>(pressed(ImGuiKey_RightArrow)) - static_cast<int>(pressed(ImGuiKey_LeftArrow));
+}
+
+/// Value a fiftieth of the slider's length farther, or the next one if they are coarser.
+double steppedValue(const Scale& scale, bool whole, double value, int way) {
+    constexpr double kStep = 0.02;
+    for (double share = kStep; share < 1 + kStep; share += kStep) {
+        const double next =
+            scale.rounded(scale.fromShare(std::clamp(scale.toShare(value) + way * share, 0.0, 1.0)), whole);
+        if (next != value) return next;
+    }
+    return value;
+}
+
+/// Draws a thin track with a round handle. A double click, Ctrl and click, or Enter opens the text field.
 bool slider(Context& context, std::string_view name, const Scale& scale, bool whole, double& value) {
     const float width = ImGui::GetContentRegionAvail().x;
     const float height = context.points(20);
     const float radius = context.points(8);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    ImGui::InvisibleButton("##slider", {width, height});
+    const bool pressed = ImGui::InvisibleButton("##slider", {width, height});
     markItem(context, name);
-    const bool held = ImGui::IsItemActive();
+    const bool byMouse = ImGui::IsMouseDown(0) || ImGui::IsMouseReleased(0);
+    const bool byKeys = !byMouse && ImGui::IsItemFocused() && ImGui::GetIO().NavVisible;
+    const bool held = ImGui::IsItemActive() && byMouse;
     const bool hovered = ImGui::IsItemHovered();
     const float length = width - 2 * radius;
     bool changed = false;
     if (hovered && opensEntry(context)) {
-        if (ImGui::IsMouseDoubleClicked(0) && pressed.name == name) value = pressed.value;
+        if (ImGui::IsMouseDoubleClicked(0) && beforePress.name == name) value = beforePress.value;
         entry.open(name, value);
         changed = true;
+    } else if (byKeys && pressed) {
+        entry.open(name, value);
+    } else if (const int way = byKeys ? arrowsOnSlider() : 0; way != 0) {
+        const double wanted = steppedValue(scale, whole, value, way);
+        changed = wanted != value;
+        value = wanted;
     } else if (held) {
         if (ImGui::IsItemActivated()) {
-            pressed.name = name;
-            pressed.value = value;
+            beforePress.name = name;
+            beforePress.value = value;
             entry.forget();
         }
         const float along = (ImGui::GetIO().MousePos.x - corner.x - radius) / length;
@@ -139,25 +171,25 @@ bool slider(Context& context, std::string_view name, const Scale& scale, bool wh
     return changed;
 }
 
-/// Draws a control's value; returns true if the person clicks it to type another.
+/// Draws a control's value; returns true if the person clicks it to type another. Keys use the slider instead, so it is
+/// no control of its own.
 bool valueText(Context& context, std::string_view name, std::string_view value, bool typed) {
     const char* const end = value.data() + value.size();
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    bool clicked = false, hovered = false;
-    if (typed && context.typing) {
-        const float margin = context.points(6); // a single digit alone is hard to hit
-        const ImVec2 text = ImGui::CalcTextSize(value.data(), end);
-        ImGui::SetCursorScreenPos({corner.x - margin, corner.y});
-        clicked = ImGui::InvisibleButton("##value", {text.x + 2 * margin, text.y});
-        hovered = ImGui::IsItemHovered();
-        markItem(context, ShortText{name, ".value"});
-        tooltip(context, phrase("control.type"));
-        ImGui::SetCursorScreenPos(corner);
-    }
-    ImGui::PushStyleColor(ImGuiCol_Text, hovered ? colour::kAccent : colour::kQuiet);
+    const ImVec2 low = ImGui::GetCursorScreenPos(), size = ImGui::CalcTextSize(value.data(), end);
+    const float margin = context.points(6); // a single digit alone is hard to hit
+    const auto within = [&](ImVec2 p) {
+        return p.x >= low.x - margin && p.x < low.x + size.x + margin && p.y >= low.y && p.y < low.y + size.y;
+    };
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool pointed = typed && context.typing && within(io.MousePos) &&
+                         ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
+    ImGui::PushStyleColor(ImGuiCol_Text, pointed ? colour::kAccent : colour::kQuiet);
     ImGui::TextUnformatted(value.data(), end);
     ImGui::PopStyleColor();
-    return clicked;
+    if (!typed || !context.typing) return false;
+    markItem(context, ShortText{name, ".value"});
+    tooltip(context, phrase("control.type"));
+    return pointed && ImGui::IsMouseReleased(0) && within(io.MouseClickedPos[0]);
 }
 
 enum class LabelPress { none, back, value };

@@ -213,6 +213,7 @@ MenuRequest replayBar(Context& context, LessonSession& session) {
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
     ImGui::PopStyleVar();
+    noteWindow(context, "replay");
     const MenuRequest request = replayPart(context, session);
     context.replayHeight = ImGui::GetWindowHeight();
     ImGui::End();

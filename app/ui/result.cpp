@@ -239,6 +239,7 @@ MenuRequest resultPanel(Context& context, LessonSession& session, const Home& ho
     ImGui::Begin("result", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+    noteWindow(context, "result");
     if (fromTop) ImGui::SetScrollY(0);
     strongText(context, phrase("result.heading"));
     const MenuRequest request = resultPart(context, session, home, ResultPlace::window);

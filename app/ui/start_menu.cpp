@@ -137,7 +137,7 @@ void taskAndValues(Context& context, LessonSession& session, Home& home, float r
     const float foot = context.startFootHeight > 0 ? context.startFootHeight : context.points(kFoot);
     const float free = std::max(context.points(40), room - foot);
     const float height = std::min(context.startValuesHeight, free);
-    ImGui::BeginChild("values", {0, height > 0 ? height : free});
+    beginPart("values", {0, height > 0 ? height : free});
     introduction(context, session.lesson(), home);
     ImGui::Dummy({0, context.points(6)});
     setupPart(context, session);

@@ -17,6 +17,25 @@ void markItem(Context& context, std::string_view name) {
     auto known = context.places.find(name);
     if (known == context.places.end()) known = context.places.emplace(name, Place{}).first;
     known->second = {low.x, low.y, high.x - low.x, high.y - low.y, context.frame};
+    if (!ImGui::IsItemFocused() || !ImGui::GetIO().NavVisible) return;
+    context.focus = name;
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const float out = context.points(2);
+    const ImVec2 from = draw.GetClipRectMin(), to = draw.GetClipRectMax();
+    outlineRounded(draw, {std::max(low.x - out, from.x), std::max(low.y - out, from.y)},
+                   {std::min(high.x + out, to.x), std::min(high.y + out, to.y)}, colour::kAccent, context.points(6));
+}
+
+void noteWindow(Context& context, const char* name) {
+    context.windows.note(name, ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows));
+}
+
+void beginPart(const char* name, ImVec2 size) {
+#if IMGUI_VERSION_NUM < 19090
+    ImGui::BeginChild(name, size, false, ImGuiWindowFlags_NavFlattened);
+#else
+    ImGui::BeginChild(name, size, ImGuiChildFlags_NavFlattened);
+#endif
 }
 
 namespace {
@@ -103,14 +122,6 @@ ShortText readableName(std::string_view key) {
     std::replace(name.data(), name.data() + name.size(), '_', ' ');
     if (!name.empty()) name.data()[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name.data()[0])));
     return name;
-}
-
-void beginFlatChild(const char* name, ImVec2 size) {
-#if IMGUI_VERSION_NUM >= 19090
-    ImGui::BeginChild(name, size, ImGuiChildFlags_NavFlattened);
-#else
-    ImGui::BeginChild(name, size, false, ImGuiWindowFlags_NavFlattened);
-#endif
 }
 
 bool narrowerThan(const Context& context, float width) {

@@ -4,6 +4,7 @@
 #include "app/session/key_names.hpp"
 #include "app/session/menu_state.hpp"
 #include "app/session/parameter_section.hpp"
+#include "app/ui/focus_ring.hpp"
 #include "app/ui/theme.hpp"
 #include "core/base/parameter.hpp"
 #include "core/base/short_text.hpp"
@@ -31,14 +32,29 @@ struct Context {
     bool typing = true;                        ///< there is a keyboard to type numbers with
     const KeyNames* keys = &KeyNames::usual(); ///< names of the current keyboard's keys
 
-    void beginFrame() { ++frame; }
+    FocusRing windows;      ///< windows that keys can reach
+    std::string focus;      ///< name of the control that keys have chosen; empty: none is
+    bool gamepad = false;   ///< one is connected
+    bool byGamepad = false; ///< the gamepad was used last: hints name its buttons
+
+    void beginFrame() {
+        ++frame;
+        focus.clear();
+        windows.beginFrame();
+    }
     bool shown(const Place& place) const { return place.frame == frame; }
     float points(float size) const { return size * scale; }
     std::string_view key(Key letter) const { return keys->of(letter); }
 };
 
-/// Notes the last item's place under `name` if it is in sight.
+/// Notes the last item's place under `name` if it is in sight. Outlines it if keys have chosen it.
 void markItem(Context& context, std::string_view name);
+
+/// Notes the current window for the keys that go from window to window.
+void noteWindow(Context& context, const char* name);
+/// Begins a scrolling part of the window that keys enter and leave like the rest of it. A size of 0: as far as the
+/// window goes. ImGui::EndChild() ends it.
+void beginPart(const char* name, ImVec2 size);
 
 /// Draws one parameter with label, value, unit and tooltip; returns true if it was changed. `prefix` starts its name
 /// among the places, and is the table of its phrases.
@@ -78,10 +94,6 @@ class ButtonRow {
     float right_; ///< right end of the room, pixels of the screen
     bool first_ = true;
 };
-
-/// Begins a scrolling part of the window that the keyboard enters and leaves like the rest of it. A size of 0: as far
-/// as the window goes. ImGui::EndChild() ends it.
-void beginFlatChild(const char* name, ImVec2 size);
 
 /// Returns true if the window has less room in this direction than so many points.
 bool narrowerThan(const Context& context, float width);

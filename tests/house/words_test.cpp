@@ -148,7 +148,6 @@ TEST_CASE("sentences for trainees and teachers are in the words file", "[house][
         "start menu",
         "status bar",
         "the menu",
-        "top bar",
         "two attempts are compared",
         "view menu"};
     for (const std::string& each : left) {

@@ -186,6 +186,11 @@ void TrainerWindow::change(const std::string& section, const std::string& key, c
     waitFor(section + "." + key + " to change", changed);
 }
 
+void TrainerWindow::act(const std::function<void()>& change) const {
+    since_ = rows_.end();
+    change();
+}
+
 void TrainerWindow::xdotool(std::vector<std::string> words) const {
     words.insert(words.begin(), "xdotool");
     since_ = rows_.end();

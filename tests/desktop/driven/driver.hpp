@@ -60,6 +60,8 @@ class TrainerWindow {
     /// frames if they are slow, and a person would press again.
     void change(const std::string& section, const std::string& key, const std::function<void()>& act);
 
+    /// Makes a change other than by xdotool; later waits see only rows from then on.
+    void act(const std::function<void()>& change) const;
     /// Calls xdotool with these words. A missing xdotool fails the test.
     void xdotool(std::vector<std::string> words) const;
     void key(const std::string& name) { xdotool({"key", name}); }

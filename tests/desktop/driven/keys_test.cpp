@@ -124,7 +124,7 @@ void checkCaptureKeys(TrainerWindow& window) {
 
 void checkPanelKeys(TrainerWindow& window) {
     const std::array<std::pair<const char*, const char*>, 5> panels{
-        {{"F1", "help"}, {"F2", "view"}, {"F3", "simulation"}, {"F4", "timings"}, {"Tab", "hidden"}}};
+        {{"F1", "help"}, {"F2", "view"}, {"F3", "simulation"}, {"F4", "timings"}, {"F9", "hidden"}}};
     for (const auto& [name, panel] : panels) {
         const bool open = window.settle().at("panels").at(panel);
         window.key(name);

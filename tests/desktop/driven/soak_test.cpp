@@ -49,7 +49,7 @@ void work(TrainerWindow& window, int turn) {
         window.settle();
     }
     window.xdotool({"mouseup", "1"});
-    for (const char* key : {"F1", "F1", "v", "v", "f", "f", "Tab", "Tab"}) {
+    for (const char* key : {"F1", "F1", "v", "v", "f", "f", "F9", "F9"}) {
         window.key(key);
         window.settle();
     }

@@ -235,4 +235,55 @@ TEST_CASE("a frame that hung for seconds does not throw the camera away") {
     CHECK(slow.orbitCamera().azimuth() == quick.orbitCamera().azimuth());
 }
 
+TEST_CASE("with its setting the space bar starts and stops the weld; whatever locks the trigger stops it") {
+    Controls controls;
+    controls.leadTorch(true);
+    controls.update(struck(Key::space), 0.02);
+    CHECK(controls.trigger() == 1);
+    controls.update({}, 0.02);
+    CHECK(controls.trigger() == 0); // held, as it is at first
+    controls.parameters.spaceLatch = true;
+    const auto weld = [&] {
+        controls.update(struck(Key::space), 0.02);
+        controls.update({}, 0.02);
+        return controls.trigger() == 1;
+    };
+    CHECK(weld());
+    CHECK_FALSE(weld());
+    CHECK(weld());
+    InputFrame elsewhere;
+    elsewhere.lostFocus = true;
+    controls.update(elsewhere, 0.02);
+    CHECK(controls.trigger() == 0);
+    CHECK(weld());
+    controls.reset();
+    controls.update({}, 0.02);
+    CHECK(controls.trigger() == 0);
+    CHECK(weld());
+    controls.setMode(Mode::view);
+    controls.update({}, 0.02);
+    CHECK(controls.trigger() == 0);
+    controls.setMode(Mode::interact);
+    controls.update({}, 0.02);
+    CHECK(controls.trigger() == 0);
+}
+
+TEST_CASE("a gamepad's sticks move the source sideways, up and away from the person") {
+    const ControlParameters parameters;
+    const glm::vec3 view(0, 0, -1);
+    const auto moved = [&](glm::vec2 left, glm::vec2 right) {
+        SteeredSource source;
+        source.setPosition(glm::vec3(0));
+        GamepadFrame gamepad;
+        gamepad.left = left;
+        gamepad.right = right;
+        source.lead(gamepad, view, parameters, 0.1f);
+        return source.position();
+    };
+    CHECK(moved({1, 0}, {0, 0}).x > 0.01f);
+    CHECK(moved({0, 1}, {0, 0}).y > 0.01f);
+    CHECK(moved({0, 0}, {0, 1}).z < -0.01f);
+    CHECK(near(moved({0, 0}, {1, 0}), glm::vec3(0)));
+}
+
 } // namespace meltpool

@@ -5,6 +5,7 @@
 #include "tests/support/places.hpp"
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include <cmath>
 #include <numbers>
@@ -182,6 +183,42 @@ TEST_CASE("Shift and arrow keys lead the torch at an even speed, and alone the a
     up.held.set(size_t(Key::up));
     desk.frames(20, up);
     CHECK(std::abs(desk.torch.pose().aim - before.aim) > 1e-3);
+}
+
+TEST_CASE("keys and stick lead along the seam however it lies on the screen") {
+    const auto led = [](float degrees, Key key, const glm::vec2& stick) {
+        Desk desk("gmaw-bead");
+        desk.view = glm::mat3(glm::rotate(glm::mat4(1), glm::radians(degrees), glm::vec3(0, 0, 1))) * desk.view;
+        desk.frame();
+        const DeskPose before = desk.torch.pose();
+        InputFrame input;
+        if (key != Key::count) input.held.set(size_t(key));
+        input.held.set(size_t(Key::shift));
+        input.gamepad.left = stick;
+        desk.frames(20, input);
+        return glm::dvec2(desk.torch.pose().place - before.place, desk.torch.pose().aim - before.aim) * 1e3;
+    };
+    for (const float degrees : {0.0F, 20.0F, -20.0F, 45.0F, 160.0F, 200.0F}) {
+        INFO(degrees);
+        const bool turned = degrees > 90;
+        const glm::dvec2 right = led(degrees, Key::right, {});
+        CHECK((turned ? -right.x : right.x) > 0.5);
+        CHECK(right.y == 0);
+        const glm::dvec2 up = led(degrees, Key::up, {});
+        CHECK(up.x == 0);
+        CHECK(std::abs(up.y) > 0.5);
+    }
+    const glm::dvec2 steep = led(85, Key::up, {});
+    CHECK(steep.x > 0.5);
+    CHECK(steep.y == 0);
+    CHECK(led(85, Key::right, {}).x == 0);
+    for (const float degrees : {0.0F, 15.0F, -25.0F}) {
+        INFO(degrees);
+        const glm::dvec2 right = led(degrees, Key::count, {1, 0});
+        CHECK(right.x > 0.5);
+        CHECK(right.y == 0);
+    }
+    CHECK(led(0, Key::count, {0.5, 0.5}).y > 0.1);
 }
 
 TEST_CASE("an electrode reaches the metal by wheel and page keys, a contact tip does not") {

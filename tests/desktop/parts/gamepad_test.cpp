@@ -1,6 +1,7 @@
 // Tests the trainer's reading of a gamepad.
 #include "app/desktop/gamepad.hpp"
 #include "app/session/controls.hpp"
+#include "app/session/gamepad_keys.hpp"
 #include "tests/support/catch.hpp"
 
 #include <array>
@@ -67,6 +68,61 @@ TEST_CASE("a gamepad's trigger welds as far as it is pulled, and only when it ha
     controls.setMode(Mode::view);
     controls.update(input, 0.02);
     CHECK(controls.trigger() == 0);
+}
+
+TEST_CASE("a gamepad is read from a text as from its axes and buttons") {
+    const GamepadFrame pad = gamepadFromText("0.5 -1 0 0 -1 1 a left_shoulder up\n");
+    CHECK(pad.connected);
+    CHECK(pad.left.y > 0.8F); // away from the person
+    CHECK(pad.rightTrigger == 1);
+    CHECK(pad.leftTrigger == 0);
+    CHECK(pad.leftShoulder);
+    for (size_t i = 0; i < pad.buttons.size(); ++i)
+        CHECK(pad.buttons[i] == (i == size_t(GamepadButton::a) || i == size_t(GamepadButton::up)));
+    const GamepadFrame rest = gamepadFromText("no such button 7 x8");
+    CHECK(rest.buttons.none());
+    CHECK(rest.leftTrigger == 0);
+    std::array<unsigned char, 15> all{};
+    all.fill(1);
+    CHECK(gamepadFrame(kRest, all).buttons.all());
+}
+
+TEST_CASE("a gamepad's buttons mean keys of the activity; the directional pad repeats in menus") {
+    GamepadKeys keys;
+    const auto press = [&](GamepadButton button, GamepadUse use, double seconds = 0.02) {
+        InputFrame input;
+        input.gamepad.connected = true;
+        input.gamepad.buttons[size_t(button)] = true;
+        keys.translate(input, use, seconds);
+        return input;
+    };
+    const auto release = [&] {
+        InputFrame input;
+        keys.translate(input, GamepadUse::menus, 0.02);
+        CHECK(input.pressed.empty());
+        CHECK(input.held.none());
+    };
+    const InputFrame chosen = press(GamepadButton::a, GamepadUse::menus);
+    CHECK(chosen.struck == std::vector{Key::enter});
+    CHECK(chosen.isHeld(Key::enter));
+    CHECK(keys.lastUsed());
+    const InputFrame held = press(GamepadButton::a, GamepadUse::torch); // held while the page changes
+    CHECK(held.struck.empty());
+    release();
+    CHECK(press(GamepadButton::b, GamepadUse::torch).struck == std::vector{Key::backspace});
+    release();
+    CHECK(press(GamepadButton::b, GamepadUse::cut).struck == std::vector{Key::x});
+    release();
+    CHECK(press(GamepadButton::right, GamepadUse::menus).pressed == std::vector{Key::right});
+    CHECK(press(GamepadButton::right, GamepadUse::menus).pressed.empty());
+    CHECK(press(GamepadButton::right, GamepadUse::menus, GamepadKeys::kFirstRepeat).pressed == std::vector{Key::right});
+    CHECK(press(GamepadButton::right, GamepadUse::menus).pressed.empty());
+    CHECK(press(GamepadButton::right, GamepadUse::menus, GamepadKeys::kRepeat).struck.empty());
+    release();
+    InputFrame typed;
+    typed.struck.push_back(Key::v);
+    keys.translate(typed, GamepadUse::menus, 0.02);
+    CHECK_FALSE(keys.lastUsed());
 }
 
 } // namespace meltpool

@@ -30,6 +30,10 @@ std::vector<KeySituation> situations() {
     all[6] = {.lesson = true, .demonstration = true};
     all[7] = {.lesson = true, .replay = true};
     all[8] = {.lesson = true, .cut = true, .seam = true, .arc = true, .judges = true};
+    all.push_back(weld);
+    all.back().latch = true;
+    all.push_back(weld);
+    all.back().menus = true;
     all.push_back({.home = true});
     all.push_back({});
     return all;
@@ -91,6 +95,50 @@ TEST_CASE("the bar names what the activity uses and nothing else") {
     CHECK(has(demonstration, Key::space, true));
     CHECK(has(cut, Key::x, true));
     CHECK(has(weld, Key::backspace));
+}
+
+TEST_CASE("while a gamepad is in use the list names its parts, each with one effect") {
+    const KeySituation weld{
+        .lesson = true, .seam = true, .arc = true, .rod = true, .judges = true, .next = true, .redoes = true};
+    std::vector<KeySituation> all(5, weld);
+    all[1] = {.lesson = true, .demonstration = true};
+    all[2] = {.lesson = true, .cut = true, .seam = true, .arc = true, .judges = true};
+    all[3].menus = true;
+    all[4] = {.home = true};
+    const std::array uses{GamepadUse::torch, GamepadUse::playing, GamepadUse::cut, GamepadUse::menus,
+                          GamepadUse::menus};
+    DrawnInterface interface;
+    for (size_t i = 0; i < all.size(); ++i) {
+        INFO("situation " << i);
+        const KeyGuide guide(all[i]);
+        std::set<std::string> parts;
+        for (const KeyRow& row : guide.rows()) {
+            INFO(row.what);
+            interface.draw([&](ui::Context& context) {
+                context.byGamepad = true;
+                CHECK(keyRowName(context, row).empty() == row.pad.empty());
+                context.byGamepad = false;
+            });
+            if (row.pad.empty()) continue;
+            CHECK(phrase(row.pad) != row.pad);
+            CHECK(parts.insert(std::string(row.pad)).second);
+        }
+        for (const auto& [button, part] : {std::pair{GamepadButton::a, "help.pad.a"},
+                                           {GamepadButton::b, "help.pad.b"},
+                                           {GamepadButton::x, "help.pad.x"},
+                                           {GamepadButton::y, "help.pad.y"}}) {
+            if (i == 4) break; // arrows and Enter have one line there
+            INFO(part);
+            CHECK(parts.contains(part) == keyOf(button, uses[i]).has_value());
+        }
+    }
+    const KeyGuide torch(all[0]);
+    for (const char* part : {"help.pad.left_stick", "help.pad.right_stick", "help.pad.left_trigger",
+                             "help.pad.right_trigger", "help.pad.shoulders", "help.pad.menu", "help.pad.view"}) {
+        INFO(part);
+        CHECK(
+            std::any_of(torch.rows().begin(), torch.rows().end(), [&](const KeyRow& row) { return row.pad == part; }));
+    }
 }
 
 } // namespace meltpool::test
