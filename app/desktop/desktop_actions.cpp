@@ -109,11 +109,6 @@ void DesktopApp::tryCure() {
     menus_.panels.help = menus_.panels.result = false;
 }
 
-void DesktopApp::tryCure() {
-    lessons_.tryCure(clock_.now());
-    menus_.panels.help = menus_.panels.result = false;
-}
-
 void DesktopApp::openNext() {
     if (const CataloguedLesson* next = home_.find(session_.lesson().next)) lessons_.open(*next, clock_.now());
     menus_.panels.result = false;

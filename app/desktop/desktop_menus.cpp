@@ -28,12 +28,13 @@ float DesktopMenus::coveredRight() {
     return panels.simulation && !panels.hidden && !machineWaits_ ? ui::panelReach(interface_.context()) : 0;
 }
 
-const glm::vec2 size = glm::max(window_.size(), glm::ivec2(1));
-const float bar = panels.hidden ? 0 : ui::barHeight(interface_.context()) / size.y;
-CoveredEdges covered{coveredLeft() / size.x, coveredRight() / size.x, bar, bar};
-if (covered.left + covered.right > kMostCovered) covered.left = covered.right = 0;
-if (2 * bar > kMostCovered) covered.bottom = covered.top = 0;
-return covered;
+CoveredEdges DesktopMenus::covered() {
+    const glm::vec2 size = glm::max(window_.size(), glm::ivec2(1));
+    const float bar = panels.hidden ? 0 : ui::barHeight(interface_.context()) / size.y;
+    CoveredEdges covered{coveredLeft() / size.x, coveredRight() / size.x, bar, bar};
+    if (covered.left + covered.right > kMostCovered) covered.left = covered.right = 0;
+    if (2 * bar > kMostCovered) covered.bottom = covered.top = 0;
+    return covered;
 }
 
 float DesktopMenus::lift() {

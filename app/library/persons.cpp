@@ -156,7 +156,11 @@ KnownPerson Persons::signIn(std::string_view typed) {
         person = *known;
     else
         person.id = newId();
-    person.seen = std::max(utcText(momentNow()), person.seen);
+    // Later than everybody's, also within one millisecond and after the clock was set back.
+    Moment now = momentNow();
+    for (const KnownPerson& each : all_)
+        if (const auto seen = parseMoment(each.seen)) now = std::max(now, *seen + std::chrono::milliseconds(1));
+    person.seen = utcText(now);
     writePerson(folder_, person);
     refresh();
     return person;

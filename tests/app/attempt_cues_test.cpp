@@ -150,7 +150,7 @@ TEST_CASE("a cue's field on the board has its name until the person has made pro
     Welder welder;
     const auto named = [&] {
         welder.lead(0.4, 1);
-        welder.session.picture().atDesk(welder.controls, 1.5F, 0, false, nullptr);
+        welder.session.picture().atDesk(welder.controls, 1.5F, {}, false, nullptr);
         CueSet names;
         for (const NamedCue& cue : welder.session.picture().namedCues()) {
             names.set(cue.kind);

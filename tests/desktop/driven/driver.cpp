@@ -223,7 +223,7 @@ std::array<double, 4> TrainerWindow::place(const std::string& name) {
     bool overPanel = false;
     // The scrolling part of a page is lower than three notches of the wheel: it would jump over a control.
     const char* const clicks = now.at("page") == "running" ? "3" : "1";
-    constexpr int kDown = 24, kAll = 60;
+    constexpr int kDown = 60, kAll = 130;
     for (int notch = 0; notch < kAll; ++notch) {
         // A control at the panel's edge is in sight but not in reach: it must be whole, above the status bar.
         const double low = now.at("window").at("size").at(1).get<double>() - (now.at("page") == "running" ? 65 : 0);

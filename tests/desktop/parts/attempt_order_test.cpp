@@ -218,7 +218,7 @@ TEST_CASE("the table has the rows shown, in their order, with name and kind") {
     const std::string text = readTextFile(file);
     const auto lines = splitText(text, '\n');
     REQUIRE(lines.size() == 5);
-    CHECK(lines[0].ends_with(",file,title,test"));
+    CHECK(lines[0].ends_with(",file,person,person_id,title,test"));
     CHECK(lines[1].starts_with("2026-11-01T10:00:00+0000,gmaw-bead,"));
     CHECK(lines[1].ends_with(",\"a, b\",no"));
     CHECK(lines[2].ends_with(",,yes"));
