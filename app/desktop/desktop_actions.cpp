@@ -157,7 +157,8 @@ void DesktopApp::cut() {
 /// Closes help and settings, gives the keys back to the torch, or leaves the lesson's page.
 void DesktopApp::goBack() {
     PanelState& panels = menus_.panels;
-    if (!session_.running() && !panels.overlaid()) goHome();
+    // On the list of lessons itself Escape belongs to what is open there.
+    if (!home_.open && !session_.running() && !panels.overlaid()) goHome();
     if (!panels.overlaid() && menus_.focused()) {
         menus_.leaveFocus();
         controls_.putOut(ArcOut::panel);

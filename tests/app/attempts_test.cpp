@@ -128,8 +128,7 @@ TEST_CASE("an attempt is replayed to its bits, seeked, changed, compared and sho
         INFO(changed.errors << changed.output);
         REQUIRE(changed.code == 0);
         CHECK_THAT(changed.output, containsText("what if: speed=0.6, work_angle=5 against original: ") &&
-                                       containsText("half a particle spacing") &&
-                                       containsText("With speed=0.6, work_angle=5 "));
+                                       containsText("half a particle spacing"));
         CHECK(resultIn(folder / "if" / "original")["state_hash"] == original["state_hash"]);
         const Json result = resultIn(folder / "if" / "what-if");
         CHECK(result["what_if"]["speed"] == "0.6");

@@ -108,8 +108,8 @@ TEST_CASE("attempts are listed as JSON and as one table with their results", "[a
                containsText("2026-01-03T10:00:00+0000,classic,,3,") && containsText(",,,no,,,,"));
     CHECK_THAT(std::string(lines[2]), containsText(",\"a \"\"strange\"\", name\",,3,"));
     CHECK_THAT(std::string(lines[3]), containsText(",83.5,accepted,no,0.75,start menu,0123456789abcdef,"));
-    CHECK(lines[0].ends_with(",file,person,person_id"));
-    CHECK(lines[3].ends_with("day-1.meltrec,\"Anna, \"\"A\"\"\",0123456789abcdef"));
+    CHECK(lines[0].ends_with(",file,person,person_id,title,test"));
+    CHECK(lines[3].ends_with("day-1.meltrec,\"Anna, \"\"A\"\"\",0123456789abcdef,,no"));
     CHECK_THAT(runMeltpool("recordings --folder '" + folder.string() + "'").output,
                containsText("day-1.meltrec  Anna, \"A\"\n"));
     CHECK(runMeltpool(arguments + " --quiet").output == table.string() + "\n");
