@@ -1,6 +1,7 @@
 #include "app/activities/comparison_rows.hpp"
 
 #include "core/base/text.hpp"
+#include "core/base/units.hpp"
 #include "core/base/words.hpp"
 #include "core/weld/gauge/weld_figures.hpp"
 
@@ -21,7 +22,8 @@ std::string fixed(double value, int decimals) {
 
 std::string withUnit(const std::string& number, std::string_view unit) {
     if (unit == "%" || unit == "\xC2\xB0") return number + std::string(unit);
-    return number + " " + (unit == "mm2" ? "mm\xC2\xB2" : std::string(unit));
+    const std::string_view shown = shownUnit(unit).name;
+    return std::string(inShownUnit(number, unit)) + " " + (shown == "mm2" ? "mm\xC2\xB2" : std::string(shown));
 }
 
 std::string withSign(double value, int decimals) {

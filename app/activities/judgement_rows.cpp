@@ -1,6 +1,7 @@
 #include "app/activities/judgement_rows.hpp"
 
 #include "core/base/text.hpp"
+#include "core/base/units.hpp"
 #include "core/base/words.hpp"
 #include "core/weld/gauge/weld_figures.hpp"
 
@@ -25,7 +26,7 @@ std::string rounded(double value, int digits) {
 
 std::string withUnit(const std::string& number, std::string_view unit) {
     if (unit == "\xC2\xB0" || unit == "deg") return number + "\xC2\xB0";
-    return number + " " + std::string(unit);
+    return std::string(inShownUnit(number, unit)) + " " + std::string(shownUnit(unit).name);
 }
 
 /// Key of the sentence in which a sign means a side; empty if it means more or less.
@@ -242,8 +243,9 @@ void addFigures(std::vector<JudgementRow>& rows, const WeldMeasures& weld, std::
         std::string range;
         const WeldStation::Value &least = weld.least.*member, &greatest = weld.greatest.*member;
         if (least && greatest)
-            range = phrase("judgement.measured.range", {{"least", rounded(*least / figure.inSi(), figure.digits)},
-                                                        {"greatest", figureText(figure, *greatest)}});
+            range = phrase("judgement.measured.range",
+                           {{"least", inShownUnit(rounded(*least / figure.inSi(), figure.digits), figure.unit)},
+                            {"greatest", figureText(figure, *greatest)}});
         rows.push_back({panelName(member), figureText(figure, *value), std::move(range), RowState::plain});
     }
 }

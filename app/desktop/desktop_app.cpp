@@ -6,6 +6,7 @@
 #include "core/base/error.hpp"
 #include "core/base/resources.hpp"
 #include "core/base/text.hpp"
+#include "core/base/units.hpp"
 #include "core/base/words.hpp"
 
 #include <algorithm>
@@ -110,6 +111,14 @@ ParameterSection* DesktopApp::headsetSection() {
     return headset_.device() ? &headset_.device()->section() : nullptr;
 }
 
+/// Shows lengths as the person chose; the lessons' texts are read again.
+void DesktopApp::takeUnits() {
+    const auto wanted = static_cast<UnitSystem>(sections_.window.units);
+    if (wanted == chosenUnits()) return;
+    chooseUnits(wanted);
+    home_.refresh();
+}
+
 bool DesktopApp::finish() {
     session_.end("the program ended");
     session_.log().recordings().finish();
@@ -168,6 +177,7 @@ void DesktopApp::runFrame() {
     messages_.expire(time);
     if (gl::debugBuild() || options_.watchShaders) shaderWatch_.update(shaders_, steps_.thread(), messages_, time);
     const bool captured = session_.running() && controls_.captured();
+    takeUnits();
     interface_.takeGamepad(input, gamepadUse(), seconds);
     interface_.begin(sections_.window.interfaceSize, captured, keysChoose(), input);
     interface_.takeInput(input, captured);
@@ -301,7 +311,7 @@ void DesktopApp::takeJudgement() {
     if (session_.attempt().judgements() == judgements_) return;
     judgements_ = session_.attempt().judgements();
     menus_.showResult(session_);
-    controls_.releaseMouse(); // to read and press
+    controls_.lendMouse(); // to read and press
     sound_.judged(session_);
     lessons_.keepScore(session_.leader() == TorchLeader::hand && headset_.device()
                            ? static_cast<double>(headset_.device()->zoom())

@@ -44,6 +44,7 @@ class DesktopApp {
 
   private:
     void takeGhost();
+    void takeUnits();
     void takeWelder();
     void runFrame();
     bool rests() const;

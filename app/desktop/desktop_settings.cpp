@@ -6,6 +6,7 @@
 #include "core/base/words.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace meltpool {
@@ -21,6 +22,8 @@ void copyValues(LessonSections& from, LessonSections& to) {
             setParameter(targets[i]->parameters, p.key, parameterText(p), sources[i]->name);
 }
 
+constexpr std::array<std::string_view, 2> kUnitChoices{"millimetres", "inches"}; // in the order of UnitSystem
+
 } // namespace
 
 ParameterList describe(WindowParameters& w) {
@@ -32,6 +35,8 @@ ParameterList describe(WindowParameters& w) {
         {"maximised", "Maximised", "", &w.maximised, 0, 1, "The window fills the screen at the next start."},
         {"interface_size", "Size of text and menus", "", &w.interfaceSize, 0.7, 2,
          "Factor on the desktop's own scale. Large menus cover more of the picture."},
+        {"units", "Lengths", "", &w.units, 0, 1,
+         "Speeds and areas follow. Files and results on the terminal stay metric.", kUnitChoices},
         {"picture", "Picture", "", &w.picture, 0, kPictureLevels,
          "Fineness of the picture. Automatic leaves enough time for the metal. Text and menus are always full.",
          pictureChoices()},

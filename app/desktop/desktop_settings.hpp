@@ -16,6 +16,7 @@ struct WindowParameters {
     int height = 720; ///< points at an ordinary density
     bool maximised = false;
     float interfaceSize = 1; ///< factor on the desktop's own scale
+    int units = 0;           ///< index into UnitSystem
     int picture = 0;         ///< index into pictureChoices()
     int detail = 0;          ///< index into detailChoices(), in the headset too
 };

@@ -210,13 +210,9 @@ std::string comparisonPage(const ComparedRun& first, const ComparedRun& second) 
     const Comparison comparison = compareRuns(first, second);
     return "<!DOCTYPE html>\n<html lang=\"" + std::string(language()) +
            "\">\n<head>\n<meta charset=\"utf-8\">\n<title>" + titleOf(first, second) + " – Meltpool</title>\n<style>" +
-           kStyle +
-           "</style>\n</head>\n<body>\n"
-           "<input type=\"radio\" name=\"unit\" id=\"metric\" checked><label for=\"metric\">mm</label>\n"
-           "<input type=\"radio\" name=\"unit\" id=\"inch\"><label for=\"inch\">" +
-           phrase("page.inch") + "</label>\n<main>\n" + headPart(first, second) + wordsPart(comparison) +
-           scorePart(comparison, first, second) + figuresPart(comparison, first, second) + picturesPart(first, second) +
-           curvesPart(comparison, first, second) + "</main>\n</body>\n</html>\n";
+           kStyle + "</style>\n</head>\n<body>\n" + unitSwitch() + "<main>\n" + headPart(first, second) +
+           wordsPart(comparison) + scorePart(comparison, first, second) + figuresPart(comparison, first, second) +
+           picturesPart(first, second) + curvesPart(comparison, first, second) + "</main>\n</body>\n</html>\n";
 }
 
 } // namespace meltpool

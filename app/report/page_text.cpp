@@ -1,6 +1,7 @@
 #include "app/report/page_text.hpp"
 
 #include "app/report/svg_text.hpp"
+#include "core/base/units.hpp"
 #include "core/base/words.hpp"
 
 #include <array>
@@ -70,6 +71,15 @@ std::string measure(std::optional<double> value, std::string_view unit) {
     if (unit.empty()) return numberText(*value, 2);
     if (unit == "deg" || unit == "\xC2\xB0") return numberText(*value, 1) + "\xC2\xB0";
     return numberText(*value, 2) + " " + escaped(unit);
+}
+
+std::string unitSwitch() {
+    const bool inches = chosenUnits() == UnitSystem::inches;
+    const auto choice = [](const std::string& id, bool checked, const std::string& label) {
+        return "<input type=\"radio\" name=\"unit\" id=\"" + id + "\"" + (checked ? " checked" : "") +
+               "><label for=\"" + id + "\">" + label + "</label>\n";
+    };
+    return choice("metric", !inches, "mm") + choice("inch", inches, phrase("page.inch"));
 }
 
 NamedUnit namedUnit(const std::string& key) {

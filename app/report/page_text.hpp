@@ -29,6 +29,9 @@ std::string numberText(double value, int decimals, bool sign = false);
 /// their unit. "deg" and the sign mean degrees. A dash for unknown values. HTML.
 std::string measure(std::optional<double> value, std::string_view unit);
 
+/// The page's switch between millimetres and inches, set to the chosen units. HTML.
+std::string unitSwitch();
+
 /// Words and unit of a key: "toe_width_mm" as "toe width" and "mm"; the words are HTML.
 struct NamedUnit {
     std::string words, unit;

@@ -52,12 +52,9 @@ std::string reportPage(const RunResults& results) {
     return "<!DOCTYPE html>\n<html lang=\"" + std::string(language()) +
            "\">\n<head>\n<meta charset=\"utf-8\">\n"
            "<meta name=\"viewport\" content=\"width=device-width\">\n<title>" +
-           lesson + " \xE2\x80\x93 Meltpool</title>\n<style>" + kStyle +
-           "</style>\n</head>\n<body>\n"
-           "<input type=\"radio\" name=\"unit\" id=\"metric\" checked><label for=\"metric\">mm</label>\n"
-           "<input type=\"radio\" name=\"unit\" id=\"inch\"><label for=\"inch\">" +
-           phrase("page.inch") + "</label>\n<main>\n" + headPart(results) + scorePart(results) + picturePart(results) +
-           techniquePart(results) + curvePart(results) + (weld.empty() ? "" : "<div class=\"turn\"></div>\n") + weld +
+           lesson + " \xE2\x80\x93 Meltpool</title>\n<style>" + kStyle + "</style>\n</head>\n<body>\n" + unitSwitch() +
+           "<main>\n" + headPart(results) + scorePart(results) + picturePart(results) + techniquePart(results) +
+           curvePart(results) + (weld.empty() ? "" : "<div class=\"turn\"></div>\n") + weld +
            "</main>\n</body>\n</html>\n";
 }
 

@@ -1,5 +1,6 @@
 #include "app/session/bend_drawing.hpp"
 
+#include "core/base/units.hpp"
 #include "core/base/words.hpp"
 
 #include <glm/geometric.hpp>
@@ -143,11 +144,11 @@ class Sheet {
     /// Adds the words under the face: where it begins and ends, mm.
     void addScale(glm::vec2 low, float length) {
         const bool side = strap_.kind == BendKind::side;
-        const auto label = [&](float x, double value, const char* unit) {
-            drawing_.labels.push_back({{x, low.y}, std::string(PhraseNumber(value)) + unit});
+        const auto label = [&](float x, double value, const std::string& unit) {
+            drawing_.labels.push_back({{x, low.y}, std::string(inShownUnit(PhraseNumber(value), "mm")) + unit});
         };
         label(low.x, side ? 0 : strap_.from * 1e3, "");
-        label(low.x + length, side ? test_.plate * 1e3 : strap_.to * 1e3, " mm");
+        label(low.x + length, side ? test_.plate * 1e3 : strap_.to * 1e3, " " + std::string(shownUnit("mm").name));
     }
 
     const BentStrap& strap_;

@@ -2,6 +2,7 @@
 #include "app/ui/curves.hpp"
 
 #include "app/ui/panels.hpp"
+#include "core/base/units.hpp"
 #include "core/base/words.hpp"
 
 #include <algorithm>
@@ -61,24 +62,32 @@ void drawBand(ImDrawList& draw, const CurveSheet& sheet, const CurveBand& band) 
     draw.AddLine(at(sheet.left, y), at(sheet.right, y), kIdeal);
 }
 
-void drawAxes(Context& context, ImDrawList& draw, const CurveSheet& sheet, std::string_view placeUnit) {
+/// Ends of a range in a shown unit.
+CurveRange inUnit(const CurveRange& range, const ShownUnit& unit) {
+    return {range.from * unit.perMetric, range.to * unit.perMetric};
+}
+
+void drawAxes(Context& context, ImDrawList& draw, const CurveSheet& sheet, const CurveChart& chart) {
+    const ShownUnit valueUnit = shownUnit(chart.unit), placeUnit = shownUnit(chart.placeUnit);
     draw.AddLine(at(sheet.left, sheet.top), at(sheet.left, sheet.bottom), kAxis);
     draw.AddLine(at(sheet.left, sheet.bottom), at(sheet.right, sheet.bottom), kAxis);
     const double half = static_cast<double>(ImGui::GetTextLineHeight()) / 2,
                  gap = static_cast<double>(context.points(5));
     const bool high = sheet.bottom - sheet.top >= static_cast<double>(context.points(64));
-    const CurveTicks values = curveTicks(sheet.values, high ? 4 : 3);
+    const CurveTicks values = curveTicks(inUnit(sheet.values, valueUnit), high ? 4 : 3);
     for (int k = 0; k < values.count; ++k) {
         const ShortText text = niceNumber(values.at(k));
         const double width = static_cast<double>(ImGui::CalcTextSize(text.c_str()).x);
-        draw.AddText(at(sheet.left - gap - width, sheet.y(values.at(k)) - half), colour::kQuiet, text.c_str());
+        draw.AddText(at(sheet.left - gap - width, sheet.y(values.at(k) / valueUnit.perMetric) - half), colour::kQuiet,
+                     text.c_str());
     }
-    const CurveTicks places = curveTicks(sheet.places, 5);
+    const CurveTicks places = curveTicks(inUnit(sheet.places, placeUnit), 5);
     for (int k = 0; k < places.count; ++k) {
         const ShortText number = niceNumber(places.at(k));
         const bool last = k + 1 == places.count; // it has the unit
-        const ShortText text = last ? ShortText{number, " ", placeUnit} : number;
-        const double width = static_cast<double>(ImGui::CalcTextSize(text.c_str()).x), x = sheet.x(places.at(k));
+        const ShortText text = last ? ShortText{number, " ", placeUnit.name} : number;
+        const double width = static_cast<double>(ImGui::CalcTextSize(text.c_str()).x),
+                     x = sheet.x(places.at(k) / placeUnit.perMetric);
         const double most = sheet.right - width;
         draw.AddLine(at(x, sheet.bottom), at(x, sheet.bottom + gap / 2), kAxis);
         draw.AddText(at(std::min(x - width / 2, most), sheet.bottom + gap / 2), colour::kQuiet, text.c_str());
@@ -198,7 +207,7 @@ CurveAnswer curveChart(Context& context, const CurveChart& chart, std::span<cons
     appendPhrase(title, "curve.title", {{"quantity", chart.title}, {"unit", chart.unit}});
     draw.AddText(corner, colour::kText, title.c_str());
     if (chart.band && !sheet.values.empty()) drawBand(draw, sheet, *chart.band);
-    drawAxes(context, draw, sheet, chart.placeUnit);
+    drawAxes(context, draw, sheet, chart);
     for (const CurveSeries& each : series)
         drawLine(context, draw, sheet, each);
     if (answer.hovered)
@@ -229,7 +238,7 @@ void curvesPart(Context& context, const Judgement& judgement, const TechniqueBan
                  [](const SeamMillimetre& mm) { return mm.voltage; }, {});
     }
     ImGui::PopFont();
-    if (bands != nullptr) quietText(context, phrase("curve.note"));
+    if (bands != nullptr) quietText(context, phrase("curve.note", {}));
 }
 
 } // namespace meltpool::ui

@@ -129,7 +129,10 @@ void beginOverlay(Context& context, const char* name, bool& open, float width, f
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.points(margin), context.points(26)});
     ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(26, 30, 37, 255));
     ImGui::Begin(name, nullptr, kStill | ImGuiWindowFlags_AlwaysAutoResize);
-    if (ImGui::IsWindowAppearing()) ImGui::SetWindowFocus();
+    if (ImGui::IsWindowAppearing()) {
+        ImGui::SetWindowFocus();
+        ImGui::SetScrollY(0);
+    }
     ImGui::PopStyleColor();
     ImGui::PopStyleVar();
 }
@@ -182,7 +185,7 @@ void viewMenu(Context& context, std::span<const ParameterSection* const> section
           "Mouse and keys",
           {"source_step", "source_mouse_speed", "look_speed", "camera_speed", "invert_look"},
           false},
-         {"window", "Window", {"interface_size", "picture", "detail"}, false},
+         {"window", "Window", {"interface_size", "units", "picture", "detail"}, false},
          {"recordings", "Recordings", {"keep_recordings", "recordings_limit_mb"}, false}}};
     drawGroups(context, sections, kGroups);
     ImGui::End();
@@ -243,11 +246,11 @@ void timingsPanel(Context& context, const gl::Profiler& profiler, const LessonFi
 
 void settingsOverlay(Context& context, bool& open, std::span<const ParameterSection* const> sections) {
     static constexpr std::array<Group, 5> kGroups{
-        {{"window", "Window", {"interface_size", "picture", "detail"}, true},
+        {{"window", "Window", {"interface_size", "units", "picture", "detail"}, true},
          {"sound", "Sound", {"volume", "captions"}, true},
          {"controls",
           "Torch at the desk",
-          {"torch_mouse_mm", "key_speed_mm_s", "gamepad_speed_mm_s", "guide_speed_mm_s", "hand_tremor"},
+          {"torch_mouse_mm", "key_speed_mm_s", "space_latch", "gamepad_speed_mm_s", "guide_speed_mm_s", "hand_tremor"},
           true},
          {"controls",
           "Mouse and keys",

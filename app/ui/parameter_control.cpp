@@ -4,6 +4,7 @@
 #include "app/ui/widgets.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
+#include "core/base/units.hpp"
 #include "core/base/words.hpp"
 
 #include <algorithm>
@@ -20,9 +21,12 @@ struct Scale {
     double high;
     double even = 0; ///< length of the linear part; 0: linear throughout
 
-    Scale(const Parameter& p, std::string_view usual) : low(p.minimum), high(p.maximum) {
-        const auto value = parseDouble(usual);
-        if (value && *value > low && high - low >= 10 * (*value - low)) even = (*value - low) / 30;
+    /// Of a parameter in its shown unit. `usual`: its usual value as text, in its own unit.
+    Scale(const Parameter& p, const ShownUnit& unit, std::string_view usual)
+        : low(p.minimum * unit.perMetric), high(p.maximum * unit.perMetric) {
+        const auto metric = parseDouble(usual);
+        const double value = metric.value_or(0) * unit.perMetric;
+        if (metric && value > low && high - low >= 10 * (value - low)) even = (value - low) / 30;
     }
     double toShare(double value) const {
         if (high <= low) return 0;
@@ -56,6 +60,12 @@ std::string_view shownText(std::string_view table, const Parameter& p, std::stri
     return text;
 }
 
+/// shownText(), with numbers in the unit that is shown.
+std::string inItsUnit(std::string_view table, const Parameter& p, std::string_view text) {
+    const std::string_view shown = shownText(table, p, text);
+    return shownUnit(p.unit).converts() ? std::string(inShownUnit(shown, p.unit)) : std::string(shown);
+}
+
 /// Makes the text of expectation() for a person who reads the menus.
 std::string allowedText(std::string_view table, const Parameter& p) {
     if (!p.choices.empty()) {
@@ -83,7 +93,7 @@ std::string description(std::string_view table, const Parameter& p, std::string_
     std::string text = sentence(translatedNote(table, p));
     if (!text.empty()) text += "\n\n";
     text += allowedText(table, p);
-    if (!original.empty()) text += " " + phrase("control.at_first", {{"value", shownText(table, p, original)}});
+    if (!original.empty()) text += " " + phrase("control.at_first", {{"value", inItsUnit(table, p, original)}});
     return text;
 }
 
@@ -220,7 +230,7 @@ LabelPress labelLine(Context& context, std::string_view name, std::string_view t
         markItem(context, ShortText{name, ".back"});
         const ImU32 tint = ImGui::IsItemHovered() ? colour::kAccent : colour::kQuiet;
         ShortText note;
-        appendPhrase(note, "control.back_to", {{"value", shownText(table, p, original)}});
+        appendPhrase(note, "control.back_to", {{"value", inItsUnit(table, p, original)}});
         tooltip(context, note);
         const ImVec2 centre{corner.x + size / 2, corner.y + ImGui::GetTextLineHeight() / 2};
         const float r = context.points(5);
@@ -244,7 +254,14 @@ bool isBareUnit(std::string_view unit) {
 }
 
 ShortText valueWithUnit(const Parameter& p, double value) {
-    return isBareUnit(p.unit) ? niceNumber(value) : ShortText{niceNumber(value), " ", p.unit};
+    if (isBareUnit(p.unit)) return niceNumber(value);
+    const ShownUnit unit = shownUnit(p.unit);
+    double shown = value * unit.perMetric;
+    if (unit.converts() && shown != 0) { // three digits: a metric round number has many in inches
+        const double grain = std::pow(10, std::floor(std::log10(std::abs(shown))) - 2);
+        shown = std::round(shown / grain) * grain;
+    }
+    return {niceNumber(shown), " ", unit.name};
 }
 
 /// Text of the value in menus, with its unit.
@@ -270,16 +287,22 @@ struct Draw {
             setParameter({p}, p.key, original, p.key);
             return false; // typed values are set at full precision
         }
-        if (press == LabelPress::value) entry.open(name, value);
+        const ShownUnit unit = shownUnit(p.unit);
+        const Scale scale(p, unit, original);
+        double shown = value * unit.perMetric;
+        if (press == LabelPress::value) entry.open(name, shown);
+        bool changed = false;
         if (!entry.isOpen(name)) {
-            const bool changed = slider(context, name, Scale(p, original), whole, value);
-            if (entry.refused(name)) entry.drawRefusal(context, name, allowedText(table, p));
-            return changed;
+            changed = slider(context, name, scale, whole, shown);
+        } else if (const auto typed = entry.draw(
+                       {scale.low, scale.high, whole, isBareUnit(p.unit) ? std::string_view() : unit.name})) {
+            shown = *typed;
+            changed = true;
         }
-        const auto typed = entry.draw({p.minimum, p.maximum, whole, isBareUnit(p.unit) ? std::string_view() : p.unit});
         if (entry.refused(name)) entry.drawRefusal(context, name, allowedText(table, p));
-        if (typed) value = *typed;
-        return typed.has_value();
+        // A double click gives the value back that it had: exactly, also in inches.
+        if (changed) value = unit.converts() ? std::clamp(shown / unit.perMetric, p.minimum, p.maximum) : shown;
+        return changed;
     }
     bool operator()(float* target) const {
         const float before = *target;

@@ -5,6 +5,7 @@
 #include "core/base/resources.hpp"
 #include "core/base/text.hpp"
 #include "core/base/toml_table.hpp"
+#include "core/base/units.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -26,7 +27,8 @@ constexpr std::string_view kEnglish = "en";
 bool hasWholePlaces(std::string_view sentence) {
     while (!sentence.empty()) {
         const detail::PhrasePiece piece = detail::nextPiece(sentence);
-        if (piece.text.empty() || piece.text.find_first_of("{}") != std::string_view::npos) return false;
+        const bool empty = piece.text.empty() && piece.unit.empty();
+        if (empty || piece.text.find_first_of("{}") != std::string_view::npos) return false;
     }
     return true;
 }
@@ -117,7 +119,9 @@ std::string Words::withDecimalMark(std::string_view number) const {
 std::vector<std::string_view> placesOf(std::string_view sentence) {
     std::vector<std::string_view> names;
     while (!sentence.empty())
-        if (const detail::PhrasePiece piece = detail::nextPiece(sentence); piece.isPlace) names.push_back(piece.text);
+        if (const detail::PhrasePiece piece = detail::nextPiece(sentence);
+            piece.isPlace && !piece.text.empty() && !piece.isFixed)
+            names.push_back(piece.text);
     return names;
 }
 
@@ -173,6 +177,12 @@ std::string phrase(std::string_view key, PhrasePlaces places) {
     return text;
 }
 
+std::string inChosenUnits(std::string_view sentence) {
+    std::string text;
+    detail::appendFilled(text, sentence, {});
+    return text;
+}
+
 std::string phraseOfCount(std::string_view key, long long count, PhrasePlaces places) {
     return phrase(std::string(key) + (count == 1 ? ".one" : ".other"), places);
 }
@@ -225,13 +235,37 @@ PhrasePiece nextPiece(std::string_view& rest) {
     const std::size_t open = rest.find('{');
     const std::size_t close = open == 0 ? rest.find('}') : std::string_view::npos;
     if (close != std::string_view::npos) {
-        const PhrasePiece piece{rest.substr(1, close - 1), true};
+        const std::string_view written = rest.substr(0, close + 1), inside = rest.substr(1, close - 1);
+        const bool fixed = !inside.empty() && inside.front() >= '0' && inside.front() <= '9';
+        const std::size_t cut = std::min(inside.find(fixed ? ' ' : ':'), inside.size());
+        const std::string_view unit = cut < inside.size() ? inside.substr(cut + 1) : std::string_view();
         rest.remove_prefix(close + 1);
-        return piece;
+        return {inside.substr(0, cut), true, unit, fixed && !unit.empty(), written};
     }
     const PhrasePiece piece{rest.substr(0, open == 0 ? rest.size() : open), false};
     rest.remove_prefix(piece.text.size());
     return piece;
+}
+
+FilledPlace fillPlace(const PhrasePiece& piece, PhrasePlaces places) {
+    const auto find = [&](std::string_view name) -> const PhrasePlace* {
+        for (const PhrasePlace& place : places)
+            if (place.name == name) return &place;
+        return nullptr;
+    };
+    const PhrasePlace* const named = find(piece.unit);
+    const std::string_view unit = named != nullptr ? named->text : piece.unit;
+    if (piece.text.empty()) return {true, shownUnit(unit).name, {}, false};
+    if (piece.isFixed) {
+        ShortText length = inShownUnit(piece.text, unit);
+        length += " ";
+        length += shownUnit(unit).name;
+        return {true, {}, length, true};
+    }
+    const PhrasePlace* const found = find(piece.text);
+    if (found == nullptr) return {};
+    if (unit.empty() || !shownUnit(unit).converts()) return {true, found->text, {}, false};
+    return {true, {}, inShownUnit(found->text, unit), true};
 }
 
 } // namespace detail

@@ -1,6 +1,8 @@
 // Sentences for the user: each is written whole, under a key, in data/words/LANGUAGE.toml.
 #pragma once
 
+#include "core/base/short_text.hpp"
+
 #include <array>
 #include <cstddef>
 #include <filesystem>
@@ -42,7 +44,7 @@ class Words {
     std::string decimalMark_ = ".";
 };
 
-/// Names of the places in a sentence, in order: "{mean} of {asked}" has "mean" and "asked".
+/// Names of the places in a sentence, in order: "{mean} of {asked:mm} {:mm}" has "mean" and "asked".
 std::vector<std::string_view> placesOf(std::string_view sentence);
 
 /// The languages that have a file: "en", "de".
@@ -63,7 +65,14 @@ const std::string& phrase(std::string_view key);
 /// The sentence of a key, or null if no file has it: for words that exist only in some cases.
 const std::string* findPhrase(std::string_view key);
 /// The sentence with its places filled. A place that is not given stays as it is written.
+///
+/// Lengths are given in millimetres and shown in the chosen units (core/base/units.hpp): {length:mm} is the number of
+/// the place `length`, {:mm} the unit's name. In the place of a unit there may be another place that names it:
+/// "{value:unit}
+/// {:unit}". {3 mm} is a fixed length with its unit.
 std::string phrase(std::string_view key, PhrasePlaces places);
+/// A sentence of a file, such as a lesson's text, with its lengths in the chosen units: see phrase().
+std::string inChosenUnits(std::string_view sentence);
 /// Calls phrase() with KEY.one for a count of 1, else with KEY.other.
 std::string phraseOfCount(std::string_view key, long long count, PhrasePlaces places = {});
 /// The sentence, or `english` if the chosen language's file has none: for texts in the program's own tables.
@@ -98,33 +107,46 @@ std::string_view decimalMark();
 namespace detail {
 /// A piece of a sentence: literal text, or the name of a place.
 struct PhrasePiece {
-    std::string_view text;
+    std::string_view text; ///< {length:mm}: "length"
     bool isPlace = false;
+    std::string_view unit = {};    ///< {length:mm}: "mm"
+    bool isFixed = false;          ///< {3 mm}: text "3", unit "mm"
+    std::string_view written = {}; ///< with its braces
 };
 /// Removes and returns the first piece of the rest of a sentence.
 PhrasePiece nextPiece(std::string_view& rest);
-} // namespace detail
+/// The text for a place: a number in the chosen units, a unit's name, or the place's text itself. Empty pointer for a
+/// place that is not given.
+struct FilledPlace {
+    bool given = false;
+    std::string_view plain; ///< the text, unless it is `converted`
+    ShortText converted;
+    bool isConverted = false;
+};
+FilledPlace fillPlace(const PhrasePiece& piece, PhrasePlaces places);
 
+/// Appends a sentence with its places filled.
 template <typename Text>
-void appendPhrase(Text& text, std::string_view key, PhrasePlaces places) {
-    std::string_view rest = phrase(key);
+void appendFilled(Text& text, std::string_view rest, PhrasePlaces places) {
     while (!rest.empty()) {
-        const detail::PhrasePiece piece = detail::nextPiece(rest);
+        const PhrasePiece piece = nextPiece(rest);
         if (!piece.isPlace) {
             text += piece.text;
             continue;
         }
-        const PhrasePlace* found = nullptr;
-        for (const PhrasePlace& place : places)
-            if (place.name == piece.text) found = &place;
-        if (found != nullptr) {
-            text += found->text;
+        const FilledPlace filled = fillPlace(piece, places);
+        if (filled.given) {
+            text += filled.isConverted ? std::string_view(filled.converted) : filled.plain;
             continue;
         }
-        text += std::string_view("{");
-        text += piece.text;
-        text += std::string_view("}");
+        text += piece.written;
     }
+}
+} // namespace detail
+
+template <typename Text>
+void appendPhrase(Text& text, std::string_view key, PhrasePlaces places) {
+    detail::appendFilled(text, phrase(key), places);
 }
 
 } // namespace meltpool

@@ -49,6 +49,7 @@ void WeldScene::furnish() {
     furniture_.clear();
     furniture_.reserve(kMostFurniture); // reserved, so that solids that a view() lent do not move
     displays_ = equipmentOf(shown_.process).displays;
+    units_ = chosenUnits();
     addTable(furniture_, benchToWorld, kUsualTableHeight);
     addMachine(furniture_, benchToWorld, shown_.process);
     const size_t others = furniture_.size();
@@ -75,7 +76,7 @@ void WeldScene::showTorch(SceneView& scene, const TorchSample& torch) {
 
 SceneView WeldScene::view(const TorchSample& torch) {
     const Equipment equipment = equipmentOf(shown_.process);
-    if (equipment.displays != displays_) furnish();
+    if (equipment.displays != displays_ || units_ != chosenUnits()) furnish();
     const Workpiece& workpiece = shown_.workpiece;
     const Material& material = shown_.material;
     SceneView scene;

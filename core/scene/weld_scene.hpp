@@ -1,6 +1,7 @@
 // A weld's workshop: torch, cable, table, machine and holders of the workpiece, with the looks of the material.
 #pragma once
 
+#include "core/base/units.hpp"
 #include "core/scene/metal_scene.hpp"
 #include "core/weld/process/weld.hpp"
 #include "core/weld/workpiece/rolled_faces.hpp"
@@ -35,6 +36,7 @@ class WeldScene : public MetalScene {
     RolledFaces rolled_;
     float overTable_;                        ///< m, see Fixture
     std::array<MachineDisplay, 2> displays_; ///< displays of the machine as it was furnished
+    UnitSystem units_ = chosenUnits();       ///< units of those displays
     std::vector<Solid> furniture_;           ///< table, machine and holders of the workpiece
     size_t holders_ = 0;                     ///< number of its last solids that hold the workpiece
     glm::mat4 roomToWorld_{1.0F};            ///< transform of the workshop

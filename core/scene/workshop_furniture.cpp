@@ -1,5 +1,6 @@
 #include "core/scene/workshop_furniture.hpp"
 
+#include "core/base/units.hpp"
 #include "core/scene/stroke_text.hpp"
 
 #include <glm/common.hpp>
@@ -80,12 +81,14 @@ void addFront(Builder& add, std::span<const MachineDisplay> displays) {
     float top = kMachineSize.y - 0.03f;
     for (const MachineDisplay& display : displays) {
         if (display.unit.empty()) continue;
-        const std::string value = number(display.value, display.digits);
+        const ShownUnit unit = shownUnit(display.unit);
+        const std::string value = number(display.value * static_cast<float>(unit.perMetric),
+                                         std::clamp(display.digits + unit.digits, 0, unit.mostDigits));
         const float middle = top - 0.5f * kDisplayHeight;
         add.box({-0.025f, middle, 0.006f}, {0.105f, kDisplayHeight, 0.004f}, kSlotBlack, 0.5f);
         const float length = strokeTextLength(value, kFigure);
         add.text(value, {0.018f - length, middle - 0.5f * kFigure, 0.009f}, kFigure, kSlotBlack, kDisplayLight);
-        add.text(display.unit, {0.034f, middle - 0.5f * kFigure, 0.008f}, 0.5f * kFigure, kLabelWhite, glm::vec3(0));
+        add.text(unit.name, {0.034f, middle - 0.5f * kFigure, 0.008f}, 0.5f * kFigure, kLabelWhite, glm::vec3(0));
         top -= kDisplayHeight + 0.014f;
     }
     for (const float x : {-0.05f, 0.05f}) { // knob and socket

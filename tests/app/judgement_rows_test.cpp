@@ -1,5 +1,6 @@
 // The result panel's words for synthetic judgements.
 #include "app/activities/judgement_rows.hpp"
+#include "core/base/units.hpp"
 #include "tests/support/catch.hpp"
 
 #include <cmath>
@@ -178,4 +179,24 @@ TEST_CASE("each cure is a row, and what several share is tried once", "[app]") {
     CHECK(rows.cures[1].sentence == "Toe angle: set the voltage.");
     CHECK(rows.cures[1].whatIf.empty());
     CHECK(rows.cures[2].whatIf.empty());
+}
+
+TEST_CASE("in inches score, verdict and measured weld have no millimetres", "[app]") {
+    chooseUnits(UnitSystem::inches);
+    Judgement judgement;
+    judgement.score = scored();
+    judgement.weld = fillet();
+    judgement.verdict = refused();
+    const TechniqueBands bands = asked();
+    const JudgementRows rows = judgementRows(judgement, &bands);
+    chooseUnits(UnitSystem::metric);
+    CHECK(rows.scoreNote == "1.54 of 1.57 in of the seam are welded.");
+    CHECK(find(rows.technique, "Travel speed").detail == "Mean 24.3 in/min, target 19 in/min \xC2\xB1 1.9 in/min");
+    CHECK(rows.judged.rows[0].detail == "0.051 in; none is allowed, at -0.31 in");
+    CHECK(find(rows.measured, "Throat").value == "0.169 in");
+    CHECK(find(rows.measured, "Throat").detail == "From 0.154 to 0.177 in");
+    for (const auto* part : {&rows.technique, &rows.judged, &rows.measured})
+        for (const JudgementRow& row : part->rows)
+            CHECK_THAT(row.value + row.detail, !test::containsText("mm"));
+    CHECK_THAT(rows.measured.note, !test::containsText("mm"));
 }

@@ -4,6 +4,7 @@
 #include "app/report/report_page.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
+#include "core/base/units.hpp"
 #include "core/training/trainer/result_file.hpp"
 #include "tests/app/markup.hpp"
 #include "tests/app/program.hpp"
@@ -311,4 +312,13 @@ TEST_CASE("a run's folder becomes a page by one command", "[app]") {
     for (size_t i = 0; i < speeds.size(); ++i)
         if (std::isfinite(first[i])) CHECK(speeds[i] == Approx(first[i]).epsilon(1e-5));
     CHECK(runMeltpool("report '" + (folder / "technique.csv").string() + "'").code == 2); // not a record
+}
+
+TEST_CASE("the page opens in the units of the person who makes it, and can switch") {
+    const fs::path run = writtenRun("report-units", kResult);
+    CHECK_THAT(reportPage(readRunResults(run)), containsText("id=\"metric\" checked>") && containsText("id=\"inch\">"));
+    chooseUnits(UnitSystem::inches);
+    const std::string html = reportPage(readRunResults(run));
+    chooseUnits(UnitSystem::metric);
+    CHECK_THAT(html, containsText("id=\"metric\">") && containsText("id=\"inch\" checked>"));
 }

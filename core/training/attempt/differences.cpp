@@ -1,5 +1,6 @@
 #include "core/training/attempt/differences.hpp"
 
+#include "core/base/units.hpp"
 #include "core/base/words.hpp"
 
 #include <algorithm>
@@ -20,9 +21,10 @@ double resolvedOf(const ComparedFigure& figure, double spacing) {
 }
 
 std::string amountText(double amount, int decimals, const std::string& unit) {
-    std::string text(PhraseNumber(amount, decimals));
+    std::string text(inShownUnit(PhraseNumber(amount, decimals), unit));
     if (unit != "°" && unit != "%") text += " ";
-    return text + (unit == "mm2" ? "mm²" : unit);
+    const std::string_view shown = shownUnit(unit).name;
+    return text + (shown == "mm2" ? "mm²" : std::string(shown));
 }
 
 std::vector<ScorePair> scorePairs(const AttemptFigures& first, const AttemptFigures& second) {

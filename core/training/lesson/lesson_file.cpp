@@ -3,6 +3,7 @@
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "core/base/toml_table.hpp"
+#include "core/base/words.hpp"
 
 #include <algorithm>
 #include <set>
@@ -211,7 +212,7 @@ Lesson readLesson(const std::filesystem::path& file) {
     lesson.file = file;
     lesson.key = file.stem().string();
     lesson.title = root.text("title", lesson.key);
-    lesson.text = root.text("text", "");
+    lesson.text = inChosenUnits(root.text("text", ""));
     readListing(root, lesson);
     const std::string model = root.text("model", "classic");
     if (model != "classic" && model != "weld") root.fail("model", "is " + quote(model) + "; expected classic or weld");

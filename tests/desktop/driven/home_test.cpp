@@ -207,6 +207,10 @@ TEST_CASE("two strokes of Enter start the chosen lesson; H, Escape and the arrow
     window.type("0,25");
     window.key("Return");
     window.waitFor("the volume", [](const json& s) { return parameterIn(s, "sound", "volume") == "0.25"; });
+    window.click("window.units.inches");
+    window.waitFor("inches", [](const json& s) { return parameterIn(s, "window", "units") == "inches"; });
+    window.click("window.units.millimetres");
+    window.waitFor("millimetres", [](const json& s) { return parameterIn(s, "window", "units") == "millimetres"; });
     window.key("Escape");
     window.waitFor("no settings", [](const json& s) { return s.at("panels").at("settings") == false; });
     CHECK(window.state().at("page") == "home");

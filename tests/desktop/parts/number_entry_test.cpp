@@ -1,5 +1,6 @@
 // Tests typing a number in place of a slider: either decimal mark, refused text, Escape, the press that opens it.
 #include "app/ui/number_entry.hpp"
+#include "core/base/units.hpp"
 #include "tests/desktop/parts/drawn_interface.hpp"
 #include "tests/support/catch.hpp"
 
@@ -106,6 +107,29 @@ TEST_CASE("a number that is refused changes nothing, is told, and stays to be co
     control.enter("30");
     CHECK(control.volts == 30);
     CHECK(!control.interface.shows("machine.voltage.refused"));
+}
+
+TEST_CASE("with inches a speed is shown, typed and refused in inches per minute, and kept metric") {
+    chooseUnits(UnitSystem::inches);
+    float feed = 4.5f;
+    test::DrawnInterface interface;
+    const Parameter parameter{"wire_feed_m_min", "Wire feed", "m/min", &feed, 1, 20, ""};
+    const DefaultTexts defaults{{"wire_feed_m_min", "4.5"}};
+    const auto drawn = [&](ui::Context& context) { ui::parameterControl(context, "machine", parameter, defaults); };
+    const auto enter = [&](std::string_view text) {
+        interface.draw(drawn);
+        interface.click("machine.wire_feed_m_min.value", drawn);
+        interface.draw(drawn);
+        interface.type(text, drawn);
+        interface.strike(ImGuiKey_Enter, drawn);
+        interface.draw(drawn);
+    };
+    enter("200 in/min");
+    CHECK(feed == Approx(5.08));
+    enter("20");
+    CHECK(interface.shows("machine.wire_feed_m_min.refused"));
+    CHECK(feed == Approx(5.08));
+    chooseUnits(UnitSystem::metric);
 }
 
 TEST_CASE("without a keyboard a double click opens no text field") {
