@@ -136,6 +136,7 @@ void DesktopApp::reset() {
         start(&LessonSession::begin);
     else
         session_.reset(controls_);
+    controls_.takeBackMouse();
 }
 
 void DesktopApp::leave() {

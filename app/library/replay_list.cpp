@@ -91,6 +91,9 @@ void ReplayList::show(const fs::path& folder) {
 }
 
 void ReplayList::show(std::vector<ReplayEntry> entries) {
+    // An attempt made since is the one that the person comes to see.
+    const bool newer = !entries_.empty() && !entries.empty() && entries.front().file != entries_.front().file;
+    if (newer) selected_.clear();
     entries_ = std::move(entries);
     arranged_ = false;
     fault_.clear();

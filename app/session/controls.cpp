@@ -91,14 +91,25 @@ void Controls::setMode(Mode mode) {
 }
 
 void Controls::capture(bool captured) {
+    lent_ = false;
     if (captured == captured_) return;
     captured_ = captured;
     putOut(ArcOut::takenOver);
 }
 
+void Controls::lendMouse() {
+    if (!captured_) return;
+    capture(false);
+    lent_ = true;
+}
+
+void Controls::takeBackMouse() {
+    if (lent_) capture(true);
+}
+
 void Controls::restart() {
     mode_ = Mode::interact;
-    captured_ = false;
+    captured_ = lent_ = false;
     free_ = FreeCamera();
     orbit_ = OrbitCamera();
     source_ = SteeredSource();

@@ -43,6 +43,10 @@ class Controls {
     float trigger() const { return trigger_; }
 
     void releaseMouse() { capture(false); }
+    /// Releases a locked mouse until takeBackMouse().
+    void lendMouse();
+    /// Locks the mouse again that was lent, unless the person has locked or freed it since.
+    void takeBackMouse();
     void captureMouse() { capture(true); }
     void setMode(Mode mode);
     /// Switches the source off until the left button is released.
@@ -74,6 +78,7 @@ class Controls {
 
     Mode mode_ = Mode::interact;
     bool captured_ = false;
+    bool lent_ = false; ///< free until takeBackMouse()
     bool leadsTorch_ = false;
     bool latched_ = false; ///< the space bar has switched the heat on
     InputFrame hand_;

@@ -150,8 +150,10 @@ void LessonPicture::nameCues(const SceneView& scene, const View& view) {
     namedCues_.clear();
     if (scene.markers.empty()) return;
     const AttemptCues& cues = source_.activities.attempt.cues();
-    for (const CueLabel& label : cues.labels()) {
-        if (!cues.isNew(label.kind)) continue;
+    const auto labels = cues.labels();
+    // One field without a name among named ones would look like a fault.
+    if (std::none_of(labels.begin(), labels.end(), [&](const CueLabel& each) { return cues.isNew(each.kind); })) return;
+    for (const CueLabel& label : labels) {
         const auto inWindow = [&](const glm::vec3& world) {
             const glm::vec4 clip = view.eyeToClip * view.worldToEye * glm::vec4(world, 1);
             return glm::vec2(clip.x, -clip.y) / std::max(clip.w, 1e-6f) * 0.5f + 0.5f;

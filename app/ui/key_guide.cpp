@@ -109,7 +109,8 @@ KeyGuide::KeyGuide(const KeySituation& now) : use_(useIn(now)) {
     }
     if (now.demonstration || now.replay || now.cut) addPlaying(now);
     if (!now.looking && !now.cut) addTorch(now);
-    if (now.lesson && !now.cut) addMouse(now);
+    const bool told = now.seam && !now.caught && !now.looking;
+    if (now.lesson && !now.cut && !told) addMouse(now);
     if (now.lesson) addWeld(now);
     if (now.lesson && !now.cut) addCamera(now);
     addProgram(now);
@@ -164,6 +165,7 @@ void KeyGuide::addTorch(const KeySituation& now) {
         if (now.cold) add(keys(kHere, {Key::f}, "help.hot_or_cold_source"));
         return;
     }
+    if (!now.caught) addMouse(now); // without it the mouse leads only while a button is held
     add(mouse(kHere, "help.key.mouse", "help.torch_along_the_seam", "bar.hint.along_seam"), "help.pad.left_stick");
     add(keys(kHere, {Key::pageUp, Key::pageDown}, "help.torch_near_and_far", "bar.hint.arc_length",
              "help.key.wheel_or_page_keys"),

@@ -138,6 +138,7 @@ void taskAndValues(Context& context, LessonSession& session, Home& home, float r
     const float free = std::max(context.points(40), room - foot);
     const float height = std::min(context.startValuesHeight, free);
     beginPart("values", {0, height > 0 ? height : free});
+    if (ImGui::IsWindowAppearing()) ImGui::SetScrollY(0); // another lesson's place may remain
     introduction(context, session.lesson(), home);
     ImGui::Dummy({0, context.points(6)});
     setupPart(context, session);

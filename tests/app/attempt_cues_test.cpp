@@ -146,7 +146,7 @@ TEST_CASE("hidden cues are told before the arc at the desk, until they are shown
     CHECK(told().find("Hidden") == std::string::npos);
 }
 
-TEST_CASE("a cue's field on the board has its name until the person has made progress with it", "[app]") {
+TEST_CASE("the fields on the board have their names until the person has made progress with all", "[app]") {
     Welder welder;
     const auto named = [&] {
         welder.lead(0.4, 1);
@@ -163,7 +163,12 @@ TEST_CASE("a cue's field on the board has its name until the person has made pro
     skill.setGood(TechniqueQuantity::aim, 1);
     skill.setGood(TechniqueQuantity::workAngle, 1); // the travel angle is new
     welder.session.attempt().cues().setSkill(skill);
-    CHECK(named() == "speed angles distance");
+    CHECK(named() == "speed angles distance aim");
+    for (const TechniqueQuantity each :
+         {TechniqueQuantity::travelSpeed, TechniqueQuantity::travelAngle, TechniqueQuantity::distance})
+        skill.setGood(each, 1);
+    welder.session.attempt().cues().setSkill(skill);
+    CHECK(named() == "");
 }
 
 TEST_CASE("a lesson shows the cues that it allows and can measure, and menus only those", "[app]") {

@@ -206,6 +206,23 @@ TEST_CASE("deleted attempts count for the limit, and are the first to go") {
     CHECK(fs::exists(three.files[0]));
 }
 
+TEST_CASE("a newer attempt is the chosen row; without one the choice stays") {
+    ListOfThree three("attempts-newer");
+    ReplayList& list = three.list;
+    list.rows(kTitles);
+    list.select(2);
+    std::vector<ReplayEntry> entries = list.entries();
+    list.show(entries);
+    list.rows(kTitles);
+    CHECK(list.selected() == size_t(2));
+    ReplayEntry newer = entries.front();
+    newer.file = "newer.meltrec";
+    entries.insert(entries.begin(), newer);
+    list.show(entries);
+    list.rows(kTitles);
+    CHECK(list.selected() == size_t(0));
+}
+
 TEST_CASE("the table has the rows shown, in their order, with name and kind") {
     ListOfThree three("attempts-table");
     ReplayList& list = three.list;

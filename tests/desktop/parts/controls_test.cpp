@@ -286,4 +286,20 @@ TEST_CASE("a gamepad's sticks move the source sideways, up and away from the per
     CHECK(near(moved({0, 0}, {1, 0}), glm::vec3(0)));
 }
 
+TEST_CASE("a locked mouse that was lent is locked again; one that the person freed or locked since is not") {
+    Controls controls;
+    controls.takeBackMouse();
+    CHECK_FALSE(controls.captured());
+    controls.update(struck(Key::c), 0.02);
+    REQUIRE(controls.captured());
+    controls.lendMouse();
+    CHECK_FALSE(controls.captured());
+    controls.takeBackMouse();
+    CHECK(controls.captured());
+    controls.lendMouse();
+    controls.releaseMouse();
+    controls.takeBackMouse();
+    CHECK_FALSE(controls.captured());
+}
+
 } // namespace meltpool
