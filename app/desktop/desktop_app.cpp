@@ -53,6 +53,9 @@ DesktopApp::DesktopApp(const DesktopOptions& options)
     telemetry_.countCalls();
     for (std::string& fault : settings_.load(sections_.forFile(headsetSection())))
         messages_.warn(std::move(fault), clock_.now());
+    takeUnits();
+    if (chosenUnits() != UnitSystem::metric && !options.lesson.empty())
+        session_.open(loadLesson(options.lesson)); // its text was read before the settings
     takeWelder();
     takeGhost();
     settings_.giveTo(session_.lesson(), session_.sections());
