@@ -4,6 +4,7 @@
 #include "app/report/report_page.hpp"
 #include "app/report/twin_curve.hpp"
 #include "core/base/text.hpp"
+#include "core/base/units.hpp"
 #include "core/base/words.hpp"
 
 #include <algorithm>
@@ -15,8 +16,6 @@ namespace meltpool {
 namespace {
 
 using nlohmann::json;
-
-constexpr double kInch = 25.4; // mm
 
 constexpr const char* kStyle = R"(
 @page { size: A4; margin: 14mm }
@@ -40,15 +39,10 @@ std::string withInches(double value, const std::string& unit, int decimals, bool
         const char* gap = name.empty() || name == "%" || name == "°" ? "" : " ";
         return numberText(number, places, sign) + gap + escaped(name);
     };
-    const auto both = [&](double inches, int places, const std::string& name) {
-        return "<span class=\"mm\">" + text(value, decimals, unit == "mm2" ? "mm²" : unit) +
-               "</span><span class=\"in\">" + text(inches, places, name) + "</span>";
-    };
-    if (unit == "mm") return both(value / kInch, decimals + 2, "in");
-    if (unit == "mm2") return both(value / (kInch * kInch), decimals + 3, "in²");
-    if (unit == "mm/s") return both(value / kInch * 60, decimals, "in/min");
-    if (unit == "kJ/mm") return both(value * kInch, std::max(decimals - 1, 0), "kJ/in");
-    return text(value, decimals, unit);
+    const ShownUnit inch = inchUnit(unit);
+    if (!inch.converts()) return text(value, decimals, unit);
+    return "<span class=\"mm\">" + text(value, decimals, unit == "mm2" ? "mm²" : unit) + "</span><span class=\"in\">" +
+           text(value * inch.perMetric, std::max(decimals + inch.digits, 0), std::string(inch.name)) + "</span>";
 }
 
 /// Result of a repetition against its recording, and the verdict, in a few words.

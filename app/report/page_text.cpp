@@ -15,8 +15,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double kInch = 25.4; // mm
-
 } // namespace
 
 std::string base64(std::string_view bytes) {
@@ -60,14 +58,10 @@ std::string numberText(double value, int decimals, bool sign) {
 
 std::string measure(std::optional<double> value, std::string_view unit) {
     if (!value || !std::isfinite(*value)) return kDash;
-    const auto both = [&](std::string_view shown, double inches, std::string_view inchUnit, int decimals) {
-        return "<span class=\"mm\">" + numberText(*value, 2) + " " + std::string(shown) + "</span><span class=\"in\">" +
-               numberText(inches, decimals) + " " + std::string(inchUnit) + "</span>";
-    };
-    if (unit == "mm") return both(unit, *value / kInch, "in", 3);
-    if (unit == "mm2") return both("mm\xC2\xB2", *value / (kInch * kInch), "in\xC2\xB2", 4);
-    if (unit == "mm/s") return both(unit, *value / kInch * 60, "in/min", 1);
-    if (unit == "kJ/mm") return both(unit, *value * kInch, "kJ/in", 1);
+    if (const ShownUnit inch = inchUnit(unit); inch.converts())
+        return "<span class=\"mm\">" + numberText(*value, 2) + " " +
+               (unit == "mm2" ? "mm\xC2\xB2" : std::string(unit)) + "</span><span class=\"in\">" +
+               numberText(*value * inch.perMetric, inch.mostDigits) + " " + std::string(inch.name) + "</span>";
     if (unit.empty()) return numberText(*value, 2);
     if (unit == "deg" || unit == "\xC2\xB0") return numberText(*value, 1) + "\xC2\xB0";
     return numberText(*value, 2) + " " + escaped(unit);

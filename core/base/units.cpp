@@ -66,11 +66,14 @@ UnitSystem chosenUnits() {
     return chosen.load(std::memory_order_relaxed);
 }
 
-ShownUnit shownUnit(std::string_view metric) {
-    if (chosenUnits() == UnitSystem::inches)
-        for (const Conversion& each : kConversions)
-            if (each.metric == metric) return each.inches;
+ShownUnit inchUnit(std::string_view metric) {
+    for (const Conversion& each : kConversions)
+        if (each.metric == metric) return each.inches;
     return {metric};
+}
+
+ShownUnit shownUnit(std::string_view metric) {
+    return chosenUnits() == UnitSystem::inches ? inchUnit(metric) : ShownUnit{metric};
 }
 
 ShortText inShownUnit(std::string_view numbers, std::string_view metric) {

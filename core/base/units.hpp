@@ -22,6 +22,9 @@ struct ShownUnit {
     bool converts() const { return perMetric != 1; }
 };
 
+/// The inch unit for a metric one: mm, mm2 or mm², mm/s, m/min, kJ/mm. Any other unit is itself.
+ShownUnit inchUnit(std::string_view metric);
+
 /// The chosen system's unit for a metric one: mm, mm2 or mm², mm/s, m/min, kJ/mm. Any other unit, such as V, is itself.
 ShownUnit shownUnit(std::string_view metric);
 

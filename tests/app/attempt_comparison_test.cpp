@@ -88,7 +88,7 @@ TEST_CASE("two attempts are welded again in shares of frames, held against each 
     CHECK_FALSE(comparison.rows());
 }
 
-TEST_CASE("an attempt is tried with a change, and the outcome is told", "[app]") {
+TEST_CASE("an attempt is welded again with a change, and a sentence says what would have passed", "[app]") {
     const fs::path folder = test::scratchFolder("window-what-if");
     const fs::path one = recordedBead(folder, "one.csv", 8);
     AttemptComparison comparison;

@@ -127,7 +127,7 @@ TEST_CASE("one thing changed on the tee lesson changes the fillet as physics has
     CHECK(weldOf(more, "penetration_mm") > weldOf(own, "penetration_mm") - kResolved / 2);
 }
 
-TEST_CASE("a cold fillet of a right hand is told the lesson's voltage, and with it the weld is accepted",
+TEST_CASE("a cold fillet of a right hand gets the lesson's voltage as its remedy, and is accepted with it",
           "[app][attempts][long]") {
     const fs::path folder = keptFolder() / "cold";
     const test::Outcome run =

@@ -95,7 +95,7 @@ TEST_CASE("Escape closes the text field and changes nothing") {
     CHECK(!control.interface.shows("machine.voltage.refused"));
 }
 
-TEST_CASE("a number that is refused changes nothing, is told, and stays to be corrected") {
+TEST_CASE("a refused number changes nothing, shows its reason, and stays to be corrected") {
     const std::string text = GENERATE("99", "abc", "24,3,1");
     Voltage control;
     control.openByValue();

@@ -245,7 +245,7 @@ TEST_CASE("a chosen setting within its limits is held against the demonstration'
                !test::containsText("demonstration"));
 }
 
-TEST_CASE("a failure without an arc, or in strike and crater, is told as such", "[training][cures]") {
+TEST_CASE("a failure where no arc passed, or in strike or crater, has that as its cause", "[training][cures]") {
     const TechniqueBands bands = allBands();
     auto seam = seamWith(bands);
     Verdict verdict = failing({"lack_of_fusion"}, 38.5);
