@@ -88,6 +88,8 @@ PathPerturbation readBend(TomlTable& root) {
     const double seed = table.number("tremor_seed", {0, 1e6}, 0);
     if (seed != std::floor(seed)) table.fail("tremor_seed", "expected a whole number");
     bend.tremor = static_cast<std::uint32_t>(seed);
+    bend.tremorPlace = table.number("tremor_mm", {0, kMostFarther}, HandTremor::kPlace / kMm) * kMm;
+    bend.tremorAngle = table.number("tremor_deg", {0, 90}, HandTremor::kAngle / kDegree) * kDegree;
     table.finish();
     return bend;
 }

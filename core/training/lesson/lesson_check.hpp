@@ -43,6 +43,8 @@ bool isLessonCheck(const std::filesystem::path& file);
 ///     turn_deg = 28
 ///     aside_mm = 4
 ///     tremor_seed = 1
+///     tremor_mm = 0.1            # instead of a practised hand's
+///     tremor_deg = 0
 ///     [expect]
 ///     score = [90, 100]          # the whole score
 ///     scored = true
