@@ -9,32 +9,172 @@ namespace {
 
 constexpr double kPerMetre = 1e3;  ///< mm
 constexpr double kRounding = 1e-6; ///< mm, rounding of sums of pitches
-constexpr double kEqual = 1e-6;    ///< relative difference of equal sizes in single precision
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-
-/// One station measured against one limit.
-struct Look {
-    VerdictState state = VerdictState::notResolved;
-    double value = 0, limit = 0, excess = 0, resolution = 0; ///< values in the imperfection's unit
-    double place = 0;                                        ///< m
-};
 
 int severity(VerdictState state) {
     if (state == VerdictState::fail) return 2;
     return state == VerdictState::pass ? 0 : 1;
 }
 
-bool worse(const Look& a, const Look& b) {
+/// A run of stations with its state.
+struct Finding {
+    ReadingRun run;
+    VerdictState state = VerdictState::notResolved;
+    /// Stations whose excess names the failing stretches; see VerdictItem::failing.
+    std::vector<FaceStretch> failing = {};
+};
+
+bool worse(const Finding& a, const Finding& b) {
     if (severity(a.state) != severity(b.state)) return severity(a.state) > severity(b.state);
-    return a.excess > b.excess;
+    return a.run.excess > b.run.excess;
 }
 
-VerdictState stateOf(double excess, double limit, double resolution, bool isAngle) {
-    if (!std::isfinite(limit)) return VerdictState::notResolved;
-    const bool fine = isAngle || limit < resolution * (1 - kEqual);
-    const double slack = fine ? resolution : 0;
-    if (excess > slack) return VerdictState::fail;
-    return excess <= -slack ? VerdictState::pass : VerdictState::notResolved;
+/// Judges the readings of one side of a weld by one item, by the rule of judge().
+class SideJudge {
+  public:
+    SideJudge(const AcceptanceItem& item, const WeldFigure& figure, const ReadingUncertainty& uncertainty,
+              double weldLength, std::vector<Reading> readings)
+        : item_(item),
+          figure_(figure),
+          uncertainty_(uncertainty),
+          weldLength_(weldLength),
+          readings_(std::move(readings)) {}
+
+    Finding find() const;
+
+  private:
+    VerdictState stateOf(const Reading& reading) const { return decide(reading.excess, uncertainty_.single); }
+    VerdictState shortState(const Reading& reading) const { return decide(reading.shortExcess, uncertainty_.single); }
+    /// Length (mm) over which a run of `count` stations may have the limit of short ones.
+    double allowedIn(size_t count) const;
+    ReadingRun runOf(size_t first, size_t count) const;
+    /// All stations. `allowed`: mm of them with the limit of short ones.
+    ReadingRun whole(double allowed) const;
+    /// The station alone at its limit, or at that of short ones.
+    ReadingRun alone(size_t station, bool atShortLimit = false) const;
+    /// The run whose mean is farthest beyond its limit and uncertainty; nothing if none fails.
+    std::optional<ReadingRun> worstFailingRun() const;
+    Finding failed(const ReadingRun& run) const;
+    size_t worstStation() const;
+    /// Total length (mm) of stations that `counts` accepts, in the window of ShortAllowance::per where it is longest.
+    template <class Counts>
+    double longest(Counts counts) const;
+    bool isNext(size_t station) const {
+        return readings_[station].place - readings_[station - 1].place < 1.5 * uncertainty_.pitch;
+    }
+    Finding findUnfailed() const;
+    std::vector<FaceStretch> stretchesOf(const ReadingRun& run) const;
+
+    const AcceptanceItem& item_;
+    const WeldFigure& figure_;
+    ReadingUncertainty uncertainty_;
+    double weldLength_; ///< mm
+    std::vector<Reading> readings_;
+};
+
+double SideJudge::allowedIn(size_t count) const {
+    if (!item_.shortOnes) return 0;
+    const double length = static_cast<double>(count) * uncertainty_.pitch * kPerMetre;
+    const double windows = std::isfinite(item_.shortOnes->per) ? std::ceil(length / item_.shortOnes->per) : 1;
+    return item_.shortOnes->allowed(weldLength_) * std::max(windows, 1.0);
+}
+
+ReadingRun SideJudge::runOf(size_t first, size_t count) const {
+    return meanOf(readings_, first, count, allowedIn(count) / kPerMetre, uncertainty_);
+}
+
+ReadingRun SideJudge::whole(double allowed) const {
+    ReadingRun run = meanOf(readings_, 0, readings_.size(), allowed / kPerMetre, uncertainty_);
+    std::vector<double> values;
+    for (const Reading& reading : readings_)
+        values.push_back(reading.excess);
+    run.uncertainty = uncertainty_.ofWhole(values);
+    return run;
+}
+
+ReadingRun SideJudge::alone(size_t station, bool atShortLimit) const {
+    return meanOf(readings_, station, 1, atShortLimit ? uncertainty_.pitch : 0, uncertainty_);
+}
+
+std::optional<ReadingRun> SideJudge::worstFailingRun() const {
+    std::optional<ReadingRun> worst;
+    const auto take = [&](const ReadingRun& run) {
+        const bool fails = decide(run.excess, run.uncertainty) == VerdictState::fail;
+        if (!fails || (worst && run.margin() < worst->margin() - kRounding)) return;
+        if (!worst || run.margin() > worst->margin() + kRounding || run.count > worst->count) worst = run;
+    };
+    // A single station that fails is told before any mean: it is where to look.
+    for (size_t i = 0; i < readings_.size(); ++i)
+        take(runOf(i, 1));
+    if (worst) return worst;
+    for (size_t first = 0; first < readings_.size(); ++first)
+        for (size_t end = first + 1; end < readings_.size() && isNext(end); ++end)
+            take(runOf(first, end - first + 1));
+    take(whole(allowedIn(readings_.size())));
+    return worst;
+}
+
+size_t SideJudge::worstStation() const {
+    size_t worst = 0;
+    for (size_t i = 1; i < readings_.size(); ++i)
+        if (readings_[i].excess > readings_[worst].excess) worst = i;
+    return worst;
+}
+
+std::vector<FaceStretch> SideJudge::stretchesOf(const ReadingRun& run) const {
+    const bool single = std::any_of(readings_.begin(), readings_.end(),
+                                    [&](const Reading& each) { return stateOf(each) == VerdictState::fail; });
+    std::vector<FaceStretch> stretches;
+    for (size_t i = single ? 0 : run.first; i < (single ? readings_.size() : run.first + run.count); ++i) {
+        const Reading& reading = readings_[i];
+        if (single ? stateOf(reading) != VerdictState::fail : !(reading.excess > 0)) continue;
+        const double low = reading.place - uncertainty_.pitch / 2, high = reading.place + uncertainty_.pitch / 2;
+        if (!stretches.empty() && low - stretches.back().high < uncertainty_.pitch / 2)
+            stretches.back().high = high;
+        else
+            stretches.push_back({low, high});
+    }
+    return stretches;
+}
+
+Finding SideJudge::failed(const ReadingRun& run) const {
+    return {run, VerdictState::fail, stretchesOf(run)};
+}
+
+template <class Counts>
+double SideJudge::longest(Counts counts) const {
+    double most = 0;
+    for (const Reading& first : readings_) {
+        double length = 0;
+        for (const Reading& each : readings_) {
+            const double beyond = (each.place - first.place) * kPerMetre;
+            if (counts(each) && beyond > -kRounding && beyond < item_.shortOnes->per - kRounding)
+                length += uncertainty_.pitch * kPerMetre;
+        }
+        most = std::max(most, length);
+    }
+    return most;
+}
+
+/// Pass or not resolved, of readings of which no run fails.
+Finding SideJudge::findUnfailed() const {
+    const ReadingRun mean = whole(0);
+    if (figure_.meanDecides && decide(mean.excess, mean.uncertainty) == VerdictState::pass)
+        return {mean, VerdictState::pass};
+    const size_t worst = worstStation();
+    if (stateOf(readings_[worst]) == VerdictState::pass) return {alone(worst), VerdictState::pass};
+    const auto unpassed = [&](const Reading& each) { return stateOf(each) != VerdictState::pass; };
+    if (item_.shortOnes && longest(unpassed) <= item_.shortOnes->allowed(weldLength_) + kRounding)
+        return {alone(worst, true), shortState(readings_[worst])};
+    return {figure_.meanDecides ? mean : alone(worst), VerdictState::notResolved};
+}
+
+Finding SideJudge::find() const {
+    if (const auto run = worstFailingRun()) return failed(*run);
+    const auto fails = [&](const Reading& each) { return stateOf(each) == VerdictState::fail; };
+    if (item_.shortOnes && longest(fails) > item_.shortOnes->allowed(weldLength_) + kRounding)
+        return failed(alone(worstStation()));
+    return findUnfailed();
 }
 
 /// Judges one item over all stations.
@@ -46,7 +186,8 @@ class ItemJudge {
           item_(item),
           nominal_(nominal),
           what_(imperfection),
-          resolution_(resolvedOf(what_, measures.spacing)),
+          uncertainty_{resolvedOf(what_, measures.spacing), gaugeErrorOf(what_, measures.spacing), measures.cut,
+                       measures.pitch},
           sizes_{kUnknown, nominal.throatOf(measures.kind).value_or(kUnknown) * kPerMetre,
                  nominal.thickness * kPerMetre, nominal.legOf().value_or(kUnknown) * kPerMetre} {}
 
@@ -56,49 +197,51 @@ class ItemJudge {
     VerdictItem judgeEstimate(const Estimate& estimate) const;
 
   private:
-    std::vector<PlacedImperfection> found() const;
-    Look look(const PlacedImperfection& told, const LimitFormula& formula) const;
+    using Side = std::vector<PlacedImperfection>;
+
+    /// All values of the imperfection by sides, in the order of the stations.
+    std::vector<Side> found() const;
+    Reading read(const PlacedImperfection& told) const;
     VerdictItem blank() const;
-    VerdictItem made(const Look& look, VerdictState state) const;
-    VerdictItem decide(const std::vector<Look>& looks, const std::vector<Look>& shortLooks) const;
-    std::vector<FaceStretch> failing(const std::vector<Look>& looks) const;
-    VerdictItem judgeShort(const std::vector<Look>& looks, const std::vector<Look>& shortLooks) const;
-    /// Total length (mm) of stations that `counts` accepts, in the window of ShortAllowance::per where it is longest.
-    template <class Counts>
-    double longest(const std::vector<Look>& looks, Counts counts) const;
+    VerdictItem made(const Finding& finding) const;
 
     const WeldMeasures& measures_;
     const AcceptanceItem& item_;
     const NominalWeld& nominal_;
     const WeldFigure& what_;
-    double resolution_; ///< resolution in the imperfection's unit
-    LimitSizes sizes_;  ///< sizes of the whole weld, without b
+    ReadingUncertainty uncertainty_;
+    LimitSizes sizes_; ///< sizes of the whole weld, without b
 };
 
-/// All values of the imperfection, in the order of the stations.
-std::vector<PlacedImperfection> ItemJudge::found() const {
-    std::vector<PlacedImperfection> all;
-    if (what_.judged)
+std::vector<ItemJudge::Side> ItemJudge::found() const {
+    std::vector<Side> sides;
+    for (const auto judged : {what_.judged, what_.judgedOther}) {
+        if (!judged) continue;
+        Side& side = sides.emplace_back();
         for (const WeldStation& station : measures_.stations)
-            if (const auto value = what_.judged(station, nominal_, measures_.kind))
-                all.push_back({*value, station.place});
+            if (const auto value = judged(station, nominal_, measures_.kind)) side.push_back({*value, station.place});
+    }
     if (what_.judgedWhole)
-        if (const auto once = what_.judgedWhole(measures_, nominal_)) all.push_back(*once);
-    return all;
+        if (const auto once = what_.judgedWhole(measures_, nominal_)) sides.push_back({*once});
+    return sides;
 }
 
-Look ItemJudge::look(const PlacedImperfection& told, const LimitFormula& formula) const {
+Reading ItemJudge::read(const PlacedImperfection& told) const {
     LimitSizes sizes = sizes_;
     sizes.b = told.found.width;
-    const bool isAngle = what_.unit == "deg";
-    Look look;
-    look.value = told.found.value;
-    look.limit = formula.at(sizes);
-    look.excess = item_.kind == LimitKind::atLeast ? look.limit - told.found.value : told.found.value - look.limit;
-    look.resolution = resolution_;
-    look.state = stateOf(look.excess, look.limit, look.resolution, isAngle);
-    look.place = told.place;
-    return look;
+    const double sign = item_.kind == LimitKind::atLeast ? -1 : 1;
+    Reading reading;
+    reading.place = told.place;
+    reading.value = told.found.value;
+    reading.limit = item_.formula.at(sizes);
+    reading.shortLimit = item_.shortOnes ? std::max(item_.shortOnes->formula.at(sizes), reading.limit) : reading.limit;
+    reading.excess = sign * (reading.value - reading.limit);
+    reading.shortExcess = sign * (reading.value - reading.shortLimit);
+    if (told.found.ruledOut) { // as sure as a value that passes by itself
+        reading.excess = std::min(reading.excess, -uncertainty_.single);
+        reading.shortExcess = std::min(reading.shortExcess, -uncertainty_.single);
+    }
+    return reading;
 }
 
 VerdictItem ItemJudge::blank() const {
@@ -106,19 +249,22 @@ VerdictItem ItemJudge::blank() const {
     item.name = what_.key;
     item.kind = item_.kind;
     item.unit = what_.unit;
-    item.resolution = resolution_;
+    item.uncertainty = uncertainty_.single;
     if (const double limit = item_.formula.at(sizes_); std::isfinite(limit)) item.limit = limit;
     return item;
 }
 
-VerdictItem ItemJudge::made(const Look& look, VerdictState state) const {
+VerdictItem ItemJudge::made(const Finding& finding) const {
     VerdictItem item = blank();
-    item.value = item_.kind == LimitKind::atLeast ? look.value : std::max(look.value, 0.0);
-    item.limit = std::isfinite(look.limit) ? std::optional(look.limit) : std::nullopt;
-    item.state = state;
-    item.beyond = look.excess > 0;
-    item.resolution = look.resolution;
-    item.place = look.place;
+    const ReadingRun& run = finding.run;
+    item.value = item_.kind == LimitKind::atLeast ? run.value : std::max(run.value, 0.0);
+    item.limit = std::isfinite(run.limit) ? std::optional(run.limit) : std::nullopt;
+    item.state = finding.state;
+    item.beyond = run.excess > 0;
+    item.uncertainty = run.uncertainty;
+    item.place = run.place;
+    if (run.count > 1) item.meanOver = static_cast<double>(run.count) * measures_.pitch;
+    item.failing = finding.failing;
     return item;
 }
 
@@ -139,76 +285,20 @@ VerdictItem ItemJudge::judgeEstimate(const Estimate& estimate) const {
 
 std::optional<VerdictItem> ItemJudge::judge() const {
     if (!item_.appliesToKind(measures_.kind) || !item_.holdsFor(sizes_)) return std::nullopt;
-    std::vector<Look> looks, shortLooks;
-    const std::vector<PlacedImperfection> all = found();
-    for (const PlacedImperfection& each : all) {
-        if (!item_.b.contains(each.found.width)) continue;
-        looks.push_back(look(each, item_.formula));
-        if (item_.shortOnes) shortLooks.push_back(look(each, item_.shortOnes->formula));
-    }
-    if (all.empty()) return blank();
-    if (looks.empty()) return std::nullopt;
-    VerdictItem item = decide(looks, shortLooks);
-    if (item.state == VerdictState::fail) item.failing = failing(looks);
-    return item;
-}
-
-VerdictItem ItemJudge::decide(const std::vector<Look>& looks, const std::vector<Look>& shortLooks) const {
-    if (item_.shortOnes) return judgeShort(looks, shortLooks);
-    const Look& worst =
-        *std::max_element(looks.begin(), looks.end(), [](const Look& a, const Look& b) { return worse(b, a); });
-    return made(worst, worst.state);
-}
-
-/// Stretches of failing stations. `looks` are in the order of the stations.
-std::vector<FaceStretch> ItemJudge::failing(const std::vector<Look>& looks) const {
-    std::vector<FaceStretch> stretches;
-    for (const Look& look : looks) {
-        if (look.state != VerdictState::fail) continue;
-        const double low = look.place - measures_.pitch / 2, high = look.place + measures_.pitch / 2;
-        if (!stretches.empty() && low - stretches.back().high < measures_.pitch / 2)
-            stretches.back().high = high;
-        else
-            stretches.push_back({low, high});
-    }
-    return stretches;
-}
-
-template <class Counts>
-double ItemJudge::longest(const std::vector<Look>& looks, Counts counts) const {
-    double most = 0;
-    for (const Look& first : looks) {
-        double length = 0;
-        for (const Look& each : looks) {
-            const double beyond = (each.place - first.place) * kPerMetre;
-            if (counts(each) && beyond > -kRounding && beyond < item_.shortOnes->per - kRounding)
-                length += measures_.pitch * kPerMetre;
-        }
-        most = std::max(most, length);
-    }
-    return most;
-}
-
-VerdictItem ItemJudge::judgeShort(const std::vector<Look>& looks, const std::vector<Look>& shortLooks) const {
-    const auto lesser = [](const Look& a, const Look& b) { return worse(b, a); };
-    const Look& worst = *std::max_element(looks.begin(), looks.end(), lesser);
-    if (worst.state == VerdictState::pass) return made(worst, VerdictState::pass);
-    // These stations against the limit of short ones; a station within the main limit needs no allowance.
-    Look worstShort;
     bool any = false;
-    for (size_t i = 0; i < looks.size(); ++i) {
-        if (looks[i].state == VerdictState::pass || (any && !worse(shortLooks[i], worstShort))) continue;
-        worstShort = shortLooks[i];
-        any = true;
+    std::optional<Finding> worst;
+    for (const Side& side : found()) {
+        any = any || !side.empty();
+        std::vector<Reading> readings;
+        for (const PlacedImperfection& each : side)
+            if (item_.b.contains(each.found.width)) readings.push_back(read(each));
+        if (readings.empty()) continue;
+        const Finding finding =
+            SideJudge(item_, what_, uncertainty_, measures_.length() * kPerMetre, std::move(readings)).find();
+        if (!worst || worse(finding, *worst)) worst = finding;
     }
-    if (worst.state == VerdictState::fail && worstShort.state == VerdictState::fail)
-        return made(worstShort, VerdictState::fail);
-    const double allowed = item_.shortOnes->allowed(measures_.length() * kPerMetre) + kRounding;
-    if (longest(looks, [](const Look& each) { return each.state == VerdictState::fail; }) > allowed)
-        return made(worst, VerdictState::fail);
-    if (longest(looks, [](const Look& each) { return each.state != VerdictState::pass; }) > allowed)
-        return made(worst, VerdictState::notResolved);
-    return made(worstShort, worstShort.state);
+    if (!any) return blank();
+    return worst ? std::optional(made(*worst)) : std::nullopt;
 }
 
 /// Adds an item, or replaces a better one of the same imperfection.
@@ -245,6 +335,12 @@ void enterFreeEstimates(std::span<const Estimate> estimates, std::vector<Verdict
 }
 
 } // namespace
+
+size_t Verdict::notAssessed() const {
+    return static_cast<size_t>(std::count_if(items.begin(), items.end(), [](const VerdictItem& each) {
+        return each.state == VerdictState::notResolved || each.state == VerdictState::estimated;
+    }));
+}
 
 std::optional<VerdictItem> judgeItem(const WeldMeasures& measures, const AcceptanceItem& item,
                                      const WeldFigure& imperfection, const NominalWeld& nominal) {

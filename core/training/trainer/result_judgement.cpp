@@ -109,7 +109,7 @@ Json verdictOf(const Verdict& verdict, const std::vector<Cure>& cures) {
                    {"state", nameOf(item.state)}};
         if (item.limit) entry["limit_kind"] = limitWord(item.kind);
         entry["beyond"] = item.beyond;
-        entry["resolution"] = jsonNumber(item.resolution);
+        entry["uncertainty"] = jsonNumber(item.uncertainty);
         if (item.place) entry["at_mm"] = jsonNumber(millimetres(*item.place));
         if (!item.failing.empty()) entry["stretches_mm"] = stretchesOf(item.failing);
         if (item.state == VerdictState::estimated) entry["rule"] = item.rule;

@@ -279,4 +279,9 @@ double resolvedOf(const WeldFigure& figure, double spacing) {
     return figure.resolution * spacing * kMmPerMetre;
 }
 
+double gaugeErrorOf(const WeldFigure& imperfection, double spacing) {
+    if (imperfection.unit == "deg") return kGaugeAngle;
+    return imperfection.gaugeError * spacing * kMmPerMetre;
+}
+
 } // namespace meltpool

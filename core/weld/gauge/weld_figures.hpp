@@ -24,6 +24,8 @@ struct NominalWeld {
 struct ImperfectionValue {
     double value = 0; ///< size in the imperfection's unit; may be negative if the weld is on the safe side
     double width = 0; ///< b, mm: width of the reinforcement, the fillet's face or the root that the limit may grow with
+    /// Another figure of the station rules the imperfection out, whatever `value` is.
+    bool ruledOut = false;
 };
 
 /// An imperfection of the whole weld, at the place where it was measured.
@@ -56,9 +58,11 @@ struct WeldFigure {
     std::string_view formerKey = {}; ///< key of an imperfection in files of earlier versions; empty: it had no other
     std::string_view unit; ///< "mm", "mm2", "deg", "%", "s"; empty for a count
     int digits = 1;        ///< digits behind the decimal point, in panel and comparison
-    /// Resolution of the particles, in spacings; of an area in mm2 per mm of spacing. 0: nothing limits it, or the
-    /// workpiece or the metal itself decides. Angles: see resolvedOf().
+    /// Resolution of the particles, in spacings; of an area in mm2 per mm of spacing. Of an imperfection: of one
+    /// station alone. 0: nothing limits it, or the workpiece or the metal itself decides. Angles: see resolvedOf().
     double resolution = 0;
+    /// Of an imperfection: the gauge's own error, in spacings, which a mean over many stations keeps.
+    double gaugeError = 0;
     std::string_view table = "figure."; ///< table of data/words that has its words under its key
     FigureScale scale = {};
     WeldStation::Value WeldStation::*member = nullptr;    ///< member of a station's figure
@@ -68,6 +72,10 @@ struct WeldFigure {
     /// it. Null for an imperfection of the whole weld or one that the metal does not contain, and for a figure that is
     /// none.
     std::optional<ImperfectionValue> (*judged)(const WeldStation&, const NominalWeld&, WeldKind) = nullptr;
+    /// As `judged`, of the weld's other side, if `judged` is of one side; null if it is of the whole station.
+    std::optional<ImperfectionValue> (*judgedOther)(const WeldStation&, const NominalWeld&, WeldKind) = nullptr;
+    /// True for a size, which drawings ask for along the seam: its mean over the weld decides.
+    bool meanDecides = false;
     /// Returns an imperfection that the weld has once, such as at its end; units as `judged`, which is then null.
     /// Nothing if the measures do not have it.
     std::optional<PlacedImperfection> (*judgedWhole)(const WeldMeasures&, const NominalWeld&) = nullptr;
@@ -119,7 +127,12 @@ inline constexpr double kResolvedSpacings = 0.5;
 /// they form (tests/weld/gauge/weld_shape_test.cpp, disordered particles).
 inline constexpr double kResolvedAngle = 15;
 
+/// Error of a mean toe angle, degrees (same test: particles in order, three and more high).
+inline constexpr double kGaugeAngle = 6;
+
 /// Returns the resolution of a figure with particles of this spacing (m), in the figure's unit.
 double resolvedOf(const WeldFigure& figure, double spacing);
+/// Returns WeldFigure::gaugeError, or kGaugeAngle, with particles of this spacing (m), in the imperfection's unit.
+double gaugeErrorOf(const WeldFigure& imperfection, double spacing);
 
 } // namespace meltpool

@@ -64,7 +64,7 @@ std::vector<SectionCut> stationCuts(const Material& material, const FaceStretch&
     const double ends = std::min(settings.ends, 0.25 * seam.length());
     const double length = seam.length() - 2 * ends;
     const double count = std::floor(length / settings.pitch + 1e-9);
-    const double half = 0.5 * std::max(settings.pitch, settings.layers * spacing);
+    const double half = 0.5 * settings.cutLength(spacing);
     std::vector<SectionCut> cuts;
     const double first = seam.low + ends + 0.5 * (length - (count - 1) * settings.pitch);
     for (double i = 0; i < count; ++i) {
@@ -79,6 +79,9 @@ WeldMeasures summarise(std::vector<WeldStation> stations, WeldKind kind, double 
     measures.kind = kind;
     measures.pitch = pitch;
     measures.spacing = spacing;
+    StationSettings usual;
+    usual.pitch = pitch;
+    measures.cut = usual.cutLength(spacing);
     measures.stations = std::move(stations);
     measures.straightness = straightnessOf(measures.stations);
     for (const WeldFigure& figure : stationFigures()) {
@@ -112,7 +115,9 @@ WeldMeasures measureWeld(const WeldParticles& particles, const Material& materia
     if (seam)
         for (const SectionCut& cut : stationCuts(material, *seam, spacing, settings))
             stations.push_back(stationOf(measureSection(particles, cut), kind, cut.at()));
-    return summarise(std::move(stations), kind, settings.pitch, spacing);
+    WeldMeasures measures = summarise(std::move(stations), kind, settings.pitch, spacing);
+    measures.cut = settings.cutLength(spacing);
+    return measures;
 }
 
 std::string weldTable(const WeldMeasures& measures) {

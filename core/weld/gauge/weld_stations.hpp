@@ -4,6 +4,7 @@
 #include "core/weld/gauge/weld_section.hpp"
 #include "core/weld/workpiece/workpiece.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -27,6 +28,9 @@ struct StationSettings {
     /// m along the seam: the stretch to be welded, so that a place without weld counts. None: the stretch that was
     /// welded.
     std::optional<FaceStretch> seam;
+
+    /// m of seam that a station is measured over with particles of this spacing (m): neighbours may share metal.
+    double cutLength(double spacing) const { return std::max(pitch, layers * spacing); }
 };
 
 /// Figures of one station in SI units, or a figure of many stations under these names. Each member has its value and
@@ -78,6 +82,7 @@ struct WeldMeasures {
     WeldKind kind = WeldKind::bead;
     double pitch = 0;   ///< m, length of seam of one station
     double spacing = 0; ///< m, spacing of the particles
+    double cut = 0;     ///< m, StationSettings::cutLength()
     std::vector<WeldStation> stations;
     WeldStation mean, least, greatest; ///< figures over the stations that have them
     /// m, root mean square distance of the stations' `middle` from the straight line that fits them best. None for
@@ -95,7 +100,8 @@ WeldStation stationOf(const Section& section, WeldKind kind, double place);
 std::vector<SectionCut> stationCuts(const Material& material, const FaceStretch& seam, double spacing,
                                     const StationSettings& settings);
 
-/// Returns means, extremes and straightness of these stations.
+/// Returns means, extremes and straightness of these stations. They are taken to be cut as StationSettings does by
+/// itself.
 WeldMeasures summarise(std::vector<WeldStation> stations, WeldKind kind, double pitch, double spacing);
 
 /// Measures the weld on a workpiece of this kind of seam along x; without stations if nothing was welded. Reads every

@@ -7,7 +7,9 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
+#include <array>
 #include <limits>
+#include <set>
 
 using namespace meltpool;
 
@@ -46,88 +48,193 @@ double shortLimit(const Acceptance& acceptance, const std::string& imperfection,
 
 } // namespace
 
-TEST_CASE("ISO 5817: limits are the table's formulas", "[acceptance]") {
-    struct Row {
-        const char* imperfection;
-        WeldKind kind;
-        double d, c, b; ///< limits for b 8, a 4, t 6
-    };
-    const auto fillet = WeldKind::fillet, butt = WeldKind::butt;
-    const std::vector<Row> rows{{"undercut", fillet, 1, 0.5, 0.3},
-                                {"excess_weld_metal", butt, 3, 2.2, 1.8},
-                                {"convexity", fillet, 3, 2.2, 1.8},
-                                {"excess_penetration", butt, 5, 4, 2.6},
-                                {"toe_angle", butt, 90, 110, 150},
-                                {"toe_angle", fillet, 90, 100, 110},
-                                {"overlap", fillet, 1.6, 0, 0},
-                                {"excessive_asymmetry", fillet, 2.8, 2.6, 2.1},
-                                {"linear_misalignment", butt, 1.5, 0.9, 0.6},
-                                {"joint_gap", fillet, 2.2, 1.3, 0.9},
-                                {"surface_pore", fillet, 1.2, 0.8, 0},
-                                {"crack", fillet, 0, 0, 0},
-                                {"lack_of_fusion", butt, 0, 0, 0},
-                                {"burn_through", WeldKind::bead, 0, 0, 0}};
-    const Acceptance d = shipped("iso5817-d"), c = shipped("iso5817-c"), b = shipped("iso5817-b");
-    for (const Row& row : rows) {
-        INFO(row.imperfection);
-        CHECK(limitOf(d, row.imperfection, row.kind) == Approx(row.d));
-        CHECK(limitOf(c, row.imperfection, row.kind) == Approx(row.c));
-        CHECK(limitOf(b, row.imperfection, row.kind) == Approx(row.b));
-    }
-    CHECK(limitOf(c, "excessive_throat", fillet) == Approx(1.8));
-    CHECK(limitOf(b, "excessive_throat", fillet) == Approx(1.6));
-    for (const AcceptanceItem& item : d.items)
-        CHECK(item.imperfection != "excessive_throat"); // level D allows it
-    CHECK(itemOf(c, "toe_angle", fillet).kind == LimitKind::atLeast);
-    CHECK(itemOf(c, "crack", fillet).kind == LimitKind::notPermitted);
-    for (const Acceptance* each : {&d, &c, &b}) {
-        CHECK(each->standard == "ISO 5817");
-        CHECK(each->edition == "2014");
-    }
-    CHECK(d.level + c.level + b.level == "DCB");
+namespace {
+
+/// A cell of the standard's table at some sizes: a limit in mm or degrees.
+struct Cell {
+    enum class Kind { allowed, no, atMost, shortAtMost, atLeast } kind = Kind::no;
+    double limit = 0;
+};
+
+constexpr Cell allowed{Cell::Kind::allowed};
+constexpr Cell no{};
+
+constexpr Cell upTo(double limit) {
+    return {Cell::Kind::atMost, limit};
 }
 
-TEST_CASE("ISO 5817: limits have their caps, and thin plates their own", "[acceptance]") {
-    const Acceptance d = shipped("iso5817-d"), c = shipped("iso5817-c"), b = shipped("iso5817-b");
-    const LimitSizes large{100, 40, 60, 60}, thin{8, 2, 3, 3};
-    const auto fillet = WeldKind::fillet, butt = WeldKind::butt;
-    CHECK(limitOf(d, "convexity", fillet, large) == 5);
-    CHECK(limitOf(c, "convexity", fillet, large) == 4);
-    CHECK(limitOf(b, "convexity", fillet, large) == 3);
-    CHECK(limitOf(d, "excess_weld_metal", butt, large) == 10);
-    CHECK(limitOf(c, "excess_weld_metal", butt, large) == 7);
-    CHECK(limitOf(b, "excess_weld_metal", butt, large) == 5);
-    CHECK(limitOf(d, "undercut", butt, large) == 1);
-    CHECK(limitOf(c, "undercut", butt, large) == 0.5);
-    CHECK(limitOf(c, "linear_misalignment", butt, large) == 4);
-    CHECK(limitOf(c, "joint_gap", fillet, large) == 3);
-    CHECK(limitOf(d, "excess_penetration", butt, thin) == Approx(5.8));
-    CHECK(limitOf(c, "excess_penetration", butt, thin) == Approx(3.4));
-    CHECK(limitOf(b, "excess_penetration", butt, thin) == Approx(1.8));
-    CHECK(shortLimit(d, "undercut", fillet, thin) == Approx(0.6));
-    CHECK(shortLimit(c, "undercut", fillet, thin) == Approx(0.3));
-    CHECK_FALSE(itemOf(b, "undercut", fillet, thin).shortOnes);
-    CHECK(itemOf(b, "undercut", fillet, thin).kind == LimitKind::notPermitted);
+/// Not permitted, and this much over short lengths.
+constexpr Cell brief(double limit) {
+    return {Cell::Kind::shortAtMost, limit};
 }
 
-TEST_CASE("ISO 5817: what only short imperfections may be", "[acceptance]") {
-    const Acceptance d = shipped("iso5817-d"), c = shipped("iso5817-c"), b = shipped("iso5817-b");
+constexpr Cell from(double limit) {
+    return {Cell::Kind::atLeast, limit};
+}
+
+struct IsoRow {
+    const char* imperfection;
+    WeldKind kind;
+    std::array<Cell, 3> thin;  ///< levels D, C, B of plates of 2 mm, throat 2, width 5
+    std::array<Cell, 3> thick; ///< of plates of 6 mm, throat 4, width 8
+    std::array<Cell, 3> huge;  ///< of plates of 60 mm, throat 40, width 100: the caps
+};
+
+constexpr LimitSizes kThin{5, 2, 2, 2.8}, kThick{8, 4, 6, 5.6}, kHuge{100, 40, 60, 56};
+
+constexpr std::array<Cell, 3> every(Cell cell) {
+    return {cell, cell, cell};
+}
+
+const std::array<IsoRow, 25> kIsoRows{
+    {{"crack", WeldKind::bead, every(no), every(no), every(no)},
+     {"surface_pore", WeldKind::fillet, {upTo(0.6), no, no}, {upTo(1.2), upTo(0.8), no}, {upTo(3), upTo(2), no}},
+     {"end_crater_pipe", WeldKind::butt, {upTo(0.4), no, no}, {upTo(1.2), upTo(0.6), no}, {upTo(2), upTo(1), no}},
+     {"lack_of_fusion", WeldKind::fillet, every(no), every(no), every(no)},
+     {"root_penetration_missing", WeldKind::butt, {brief(0.4), no, no}, {brief(1.2), no, no}, {brief(2), no, no}},
+     {"undercut",
+      WeldKind::fillet,
+      {brief(0.4), brief(0.2), no},
+      {upTo(1), upTo(0.5), upTo(0.3)},
+      {upTo(1), upTo(0.5), upTo(0.5)}},
+     {"root_groove",
+      WeldKind::butt,
+      {upTo(0.4), brief(0.2), no},
+      {brief(1.2), brief(0.6), brief(0.3)},
+      {brief(2), brief(1), brief(0.5)}},
+     {"excess_weld_metal",
+      WeldKind::butt,
+      {upTo(2.25), upTo(1.75), upTo(1.5)},
+      {upTo(3), upTo(2.2), upTo(1.8)},
+      {upTo(10), upTo(7), upTo(5)}},
+     {"convexity",
+      WeldKind::fillet,
+      {upTo(2.25), upTo(1.75), upTo(1.5)},
+      {upTo(3), upTo(2.2), upTo(1.8)},
+      {upTo(5), upTo(4), upTo(3)}},
+     {"excess_penetration",
+      WeldKind::butt,
+      {upTo(4), upTo(2.5), upTo(1.5)},
+      {upTo(5), upTo(4), upTo(2.6)},
+      {upTo(5), upTo(4), upTo(3)}},
+     {"toe_angle",
+      WeldKind::butt,
+      {from(90), from(110), from(150)},
+      {from(90), from(110), from(150)},
+      {from(90), from(110), from(150)}},
+     {"toe_angle",
+      WeldKind::fillet,
+      {from(90), from(100), from(110)},
+      {from(90), from(100), from(110)},
+      {from(90), from(100), from(110)}},
+     {"overlap", WeldKind::fillet, {upTo(1), no, no}, {upTo(1.6), no, no}, {upTo(20), no, no}},
+     {"incompletely_filled_groove",
+      WeldKind::butt,
+      {brief(0.5), brief(0.2), no},
+      {brief(1.5), brief(0.6), brief(0.3)},
+      {brief(2), brief(1), brief(0.5)}},
+     {"burn_through", WeldKind::butt, every(no), every(no), every(no)},
+     {"excessive_asymmetry",
+      WeldKind::fillet,
+      {upTo(2.4), upTo(2.3), upTo(1.8)},
+      {upTo(2.8), upTo(2.6), upTo(2.1)},
+      {upTo(10), upTo(8), upTo(7.5)}},
+     {"root_concavity",
+      WeldKind::butt,
+      {upTo(0.4), brief(0.2), no},
+      {brief(1.2), brief(0.6), brief(0.3)},
+      {brief(2), brief(1), brief(0.5)}},
+     {"poor_restart", WeldKind::fillet, {allowed, no, no}, {allowed, no, no}, {allowed, no, no}},
+     {"insufficient_throat",
+      WeldKind::fillet,
+      {brief(0.4), brief(0.2), no},
+      {brief(0.7), brief(0.7), no},
+      {brief(2), brief(1), no}},
+     {"excessive_throat",
+      WeldKind::fillet,
+      {allowed, upTo(1.4), upTo(1.3)},
+      {allowed, upTo(1.8), upTo(1.6)},
+      {allowed, upTo(4), upTo(3)}},
+     {"stray_arc", WeldKind::bead, {allowed, no, no}, {allowed, no, no}, {allowed, no, no}},
+     {"linear_misalignment",
+      WeldKind::butt,
+      {upTo(0.7), upTo(0.5), upTo(0.4)},
+      {upTo(1.5), upTo(0.9), upTo(0.6)},
+      {upTo(5), upTo(4), upTo(3)}},
+     {"joint_gap",
+      WeldKind::fillet,
+      {upTo(0.7), upTo(0.5), upTo(0.4)},
+      {upTo(2.2), upTo(1.3), upTo(0.9)},
+      {upTo(4), upTo(3), upTo(2)}},
+     {"undercut",
+      WeldKind::butt,
+      {brief(0.4), brief(0.2), no},
+      {upTo(1), upTo(0.5), upTo(0.3)},
+      {upTo(1), upTo(0.5), upTo(0.5)}},
+     {"lack_of_fusion", WeldKind::butt, every(no), every(no), every(no)}}};
+
+void checkCell(const Acceptance& acceptance, const IsoRow& row, const Cell& cell, const LimitSizes& sizes) {
+    INFO(row.imperfection << ", " << nameOf(row.kind) << ", level " << acceptance.level << ", t " << sizes.t);
+    if (cell.kind == Cell::Kind::allowed) {
+        for (const AcceptanceItem& item : acceptance.items)
+            CHECK(item.imperfection != row.imperfection);
+        return;
+    }
+    const AcceptanceItem item = itemOf(acceptance, row.imperfection, row.kind, sizes);
+    CHECK(item.shortOnes.has_value() == (cell.kind == Cell::Kind::shortAtMost));
+    if (cell.kind == Cell::Kind::atMost || cell.kind == Cell::Kind::atLeast) {
+        CHECK(item.kind == (cell.kind == Cell::Kind::atMost ? LimitKind::atMost : LimitKind::atLeast));
+        CHECK(item.formula.at(sizes) == Approx(cell.limit));
+        return;
+    }
+    CHECK(item.kind == LimitKind::notPermitted);
+    CHECK(item.formula.at(sizes) == 0);
+    if (!item.shortOnes) return;
+    CHECK(item.shortOnes->formula.at(sizes) == Approx(cell.limit));
+    CHECK(item.shortOnes->per == 100);
+    CHECK(item.shortOnes->allowed(300) == 25);
+    CHECK(item.shortOnes->allowed(100) == 25);
+    CHECK(item.shortOnes->allowed(40) == 10);
+}
+
+} // namespace
+
+TEST_CASE("ISO 5817: every row of plates from 0.5 to 3 mm and above, and its caps, for D, C and B", "[acceptance]") {
+    const std::array<Acceptance, 3> levels{shipped("iso5817-d"), shipped("iso5817-c"), shipped("iso5817-b")};
+    std::set<std::string> named;
+    for (const IsoRow& row : kIsoRows) {
+        named.insert(row.imperfection);
+        for (size_t level = 0; level < levels.size(); ++level) {
+            checkCell(levels[level], row, row.thin[level], kThin);
+            checkCell(levels[level], row, row.thick[level], kThick);
+            checkCell(levels[level], row, row.huge[level], kHuge);
+        }
+    }
+    std::string letters;
+    for (const Acceptance& each : levels) {
+        CHECK(each.standard == "ISO 5817");
+        CHECK(each.edition == "2014");
+        letters += each.level;
+        for (const AcceptanceItem& item : each.items)
+            CHECK(named.count(item.imperfection) == 1); // no row that the table lacks
+    }
+    CHECK(letters == "DCB");
+}
+
+TEST_CASE("ISO 5817: a plate of exactly 3 mm is a thin one", "[acceptance]") {
+    const Acceptance c = shipped("iso5817-c"), b = shipped("iso5817-b");
     const auto fillet = WeldKind::fillet, butt = WeldKind::butt;
-    CHECK(shortLimit(d, "root_penetration_missing", butt) == Approx(1.2));
-    CHECK_FALSE(itemOf(c, "root_penetration_missing", butt).shortOnes);
-    CHECK(shortLimit(d, "incompletely_filled_groove", butt) == Approx(1.5));
-    CHECK(shortLimit(c, "incompletely_filled_groove", butt) == Approx(0.6));
-    CHECK(shortLimit(b, "incompletely_filled_groove", butt) == Approx(0.3));
-    CHECK(shortLimit(d, "root_concavity", butt) == Approx(1.2));
-    CHECK(shortLimit(b, "root_concavity", butt) == Approx(0.3));
-    CHECK(shortLimit(d, "insufficient_throat", fillet) == Approx(0.7));
-    CHECK(shortLimit(c, "insufficient_throat", fillet, {8, 10, 12, 14}) == 1); // maximum of the allowance
-    CHECK_FALSE(itemOf(b, "insufficient_throat", fillet).shortOnes);
-    const ShortAllowance allowance = *itemOf(c, "insufficient_throat", fillet).shortOnes;
-    CHECK(allowance.per == 100);
-    CHECK(allowance.allowed(300) == 25);
-    CHECK(allowance.allowed(100) == 25);
-    CHECK(allowance.allowed(40) == 10);
+    const LimitSizes three{8, 3, 3, 4.2}, above{8, 3, 3.1, 4.2};
+    CHECK(shortLimit(c, "insufficient_throat", fillet, three) == Approx(0.2));
+    CHECK(shortLimit(c, "insufficient_throat", fillet, above) == Approx(0.6));
+    CHECK(shortLimit(c, "undercut", fillet, three) == Approx(0.3));
+    CHECK(limitOf(c, "undercut", fillet, above) == Approx(0.31));
+    CHECK(limitOf(c, "excess_penetration", butt, three) == Approx(3.4));
+    CHECK(limitOf(c, "excess_penetration", butt, above) == 4);
+    CHECK(limitOf(c, "joint_gap", fillet, three) == Approx(0.6));
+    CHECK(limitOf(c, "joint_gap", fillet, above) == Approx(1.1));
+    CHECK_FALSE(itemOf(b, "root_concavity", butt, three).shortOnes);
+    CHECK(shortLimit(b, "root_concavity", butt, above) == Approx(0.155));
 }
 
 TEST_CASE("AWS D1.1: limits by size of the fillet, plate and face", "[acceptance]") {
