@@ -103,6 +103,16 @@ std::string limitText(const VerdictItem& item) {
                   {{"limit", withUnit(rounded(*item.limit, 1), item.unit)}});
 }
 
+/// The value with its uncertainty, if it has one.
+std::string valueText(const VerdictItem& item) {
+    const std::string value = withUnit(rounded(*item.value, 1), item.unit);
+    if (!(item.uncertainty > 0)) return value;
+    return phrase(item.meanOver > 0 ? "judgement.item.mean" : "judgement.item.uncertain",
+                  {{"value", value},
+                   {"uncertainty", withUnit(rounded(item.uncertainty, 1), item.unit)},
+                   {"length", rounded(item.meanOver * 1e3, 0)}});
+}
+
 /// The state as a word.
 const std::string& stateText(const VerdictItem& item) {
     if (item.state == VerdictState::estimated)
@@ -126,8 +136,8 @@ JudgementRow verdictRow(const VerdictItem& item) {
                             {{"length", rounded(item.value.value_or(0), 0)}, {"rule", item.rule}});
         return row;
     }
-    const std::string value = item.value ? withUnit(rounded(*item.value, 1), item.unit) : unknownText(item);
-    const bool placed = item.place && item.state != VerdictState::pass;
+    const std::string value = item.value ? valueText(item) : unknownText(item);
+    const bool placed = item.place && item.state != VerdictState::pass && item.meanOver == 0;
     row.detail =
         phrase(placed ? "judgement.item.value_at" : "judgement.item.value",
                {{"value", value}, {"limit", limitText(item)}, {"place", rounded(item.place.value_or(0) * 1e3, 0)}});
@@ -171,7 +181,7 @@ std::string verdictNote(const Verdict& verdict) {
                   {{"edition", verdict.edition}, {"level", verdict.level}, {"counts", countText(counts)}});
 }
 
-/// Text of the failures: "Fails: overlap, undercut."; empty if nothing fails.
+/// Text of the failures: "Fails: overlap, undercut."; if nothing fails, how much of it was not assessed.
 std::string failedText(const Verdict& verdict) {
     std::string names;
     for (const VerdictItem& item : verdict.items) {
@@ -179,7 +189,10 @@ std::string failedText(const Verdict& verdict) {
         if (!names.empty()) names += phrase("list.separator");
         names += capitalised(imperfectionName(item.name));
     }
-    return names.empty() ? names : phrase("judgement.verdict.fails", {{"imperfections", names}});
+    if (!names.empty()) return phrase("judgement.verdict.fails", {{"imperfections", names}});
+    if (!verdict.accepted) return {};
+    const auto count = static_cast<long long>(verdict.notAssessed());
+    return phraseOfCount("judgement.verdict.nothing", count, {{"count", std::to_string(count)}});
 }
 
 void addVerdict(JudgementRows& rows, const Judgement& judgement) {
@@ -197,6 +210,12 @@ void addVerdict(JudgementRows& rows, const Judgement& judgement) {
     rows.judged.title = phrase("judgement.standard.heading", {{"standard", verdict.standard}});
     rows.judged.note = verdictNote(verdict);
     rows.verdictNote = failedText(verdict);
+    if (!verdict.complete) {
+        const std::string unfinished =
+            phrase("judgement.verdict.unfinished", {{"judged", rounded(verdict.judgedLength * 1e3, 0)},
+                                                    {"asked", rounded(verdict.askedLength * 1e3, 0)}});
+        rows.verdictNote = rows.verdictNote.empty() ? unfinished : unfinished + " " + rows.verdictNote;
+    }
     std::vector<VerdictItem> items = verdict.items;
     std::stable_sort(items.begin(), items.end(),
                      [](const VerdictItem& a, const VerdictItem& b) { return rankOf(a.state) < rankOf(b.state); });
@@ -234,8 +253,9 @@ std::string figureText(const WeldFigure& figure, double value) {
 void addFigures(std::vector<JudgementRow>& rows, const WeldMeasures& weld, std::span<const Member> members) {
     for (const Member member : members) {
         const WeldStation::Value& value = weld.mean.*member;
-        if (!value) continue;
-        if (member == &WeldStation::toeWidth && *value <= 0) { // a weld without toes
+        const bool isBeadWidth = member == &WeldStation::toeWidth && weld.kind != WeldKind::fillet;
+        if (!value && !isBeadWidth) continue;
+        if (isBeadWidth && value.value_or(0) <= 0) { // a weld without toes
             rows.push_back({panelName(member), phrase("judgement.measured.absent"), {}, RowState::plain});
             continue;
         }

@@ -41,7 +41,7 @@ struct JudgementRows {
     std::string score;       ///< "Score 84 of 100", or a text that there is none
     std::string scoreNote;   ///< reason for a missing score, or the welded share of the seam
     std::string verdict;     ///< "Accepted", "Not accepted", or a text that there is none; the standard is in `judged`
-    std::string verdictNote; ///< failures; empty if there are none
+    std::string verdictNote; ///< failures, or how much was not assessed; empty without a verdict
     RowState verdictState = RowState::plain;
     std::vector<std::string> corrections;           ///< sentences, costliest first
     std::vector<CureRow> cures;                     ///< one for each imperfection that fails

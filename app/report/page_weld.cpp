@@ -101,12 +101,40 @@ std::string stripOf(const RunResults& results, const std::vector<LetteredItem>& 
     return seamStrip(from, to, marks);
 }
 
+/// Value with its uncertainty and the length that it is a mean of, as far as the result has them.
+std::string valueText(const json& item) {
+    const std::string unit = rawIn(item, "unit"), value = measure(numberIn(item, "value"), unit);
+    const auto uncertainty = numberIn(item, "uncertainty"), length = numberIn(item, "mean_over_mm");
+    if (!numberIn(item, "value") || uncertainty.value_or(0) <= 0 || rawIn(item, "state") == "estimated") return value;
+    const std::string off = measure(uncertainty, unit);
+    if (!length) return phrase("page.verdict.value", {{"value", value}, {"uncertainty", off}});
+    return phrase("page.verdict.mean", {{"value", value}, {"uncertainty", off}, {"length", measure(length, "mm")}});
+}
+
+/// Sentence of an accepted weld on how much was not assessed; empty for a result of an earlier version.
+std::string nothingFound(const json& verdict) {
+    const auto count = numberIn(verdict, "not_assessed");
+    if (!count || partIn(verdict, "accepted") != true) return {};
+    return "<p>" +
+           phraseOfCount("page.verdict.nothing", std::lround(*count),
+                         {{"count", std::to_string(std::lround(*count))}}) +
+           "</p>\n";
+}
+
+/// Sentence on a weld that is shorter than asked for; empty for another.
+std::string unfinished(const json& verdict) {
+    if (partIn(verdict, "complete") != false) return {};
+    return "<p>" +
+           phrase("page.verdict.unfinished", {{"judged", measure(numberIn(verdict, "judged_mm"), "mm")},
+                                              {"asked", measure(numberIn(verdict, "asked_mm"), "mm")}}) +
+           "</p>\n";
+}
+
 std::string itemRow(const LetteredItem& each) {
     const json& item = *each.item;
-    const std::string unit = rawIn(item, "unit");
     return "<tr><td>" + each.letter + "</td><td>" + escaped(imperfectionName(rawIn(item, "name"))) + "</td>" +
-           numberCell(measure(numberIn(item, "value"), unit)) + numberCell(limitText(item)) + "<td>" + whereText(item) +
-           "</td><td class=\"" + textIn(item, "state") + "\">" + stateText(item) + "</td></tr>\n";
+           numberCell(valueText(item)) + numberCell(limitText(item)) + "<td>" + whereText(item) + "</td><td class=\"" +
+           textIn(item, "state") + "\">" + stateText(item) + "</td></tr>\n";
 }
 
 /// List of likely causes and remedies, with the command that tries a remedy where it appears first; empty if no item
@@ -144,7 +172,7 @@ std::string verdictPart(const RunResults& results) {
                                                        {"verdict", word}}) +
                        "</h2>\n";
     const std::vector<LetteredItem> items = lettered(partIn(verdict, "items"));
-    html += curesOf(items) + stripOf(results, items);
+    html += unfinished(verdict) + nothingFound(verdict) + curesOf(items) + stripOf(results, items);
     html += "<table><thead><tr><th></th>" +
             headCells({"page.verdict.column.imperfection", "page.verdict.column.value", "page.verdict.column.limit",
                        "page.verdict.column.where", "page.verdict.column.verdict"}) +

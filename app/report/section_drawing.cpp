@@ -32,8 +32,8 @@ Extent extentOf(const SectionSizes& sizes) {
         const double base = *sizes.legBase * (1 + kBeside), upright = *sizes.legUpright * (1 + kBeside);
         return {base + plateOf(sizes), upright + plateOf(sizes)};
     }
-    if (!sizes.toeWidth || !sizes.height) return {};
-    const double width = std::max(*sizes.toeWidth, sizes.fusedWidth.value_or(0));
+    if (!sizes.height || !(sizes.toeWidth || sizes.fusedWidth)) return {};
+    const double width = std::max(sizes.toeWidth.value_or(0), sizes.fusedWidth.value_or(0));
     return {width * (1 + 2 * kBeside), std::max(*sizes.height, 0.0) + plateOf(sizes)};
 }
 
@@ -74,7 +74,7 @@ class Drawing {
                           at(half, 0) + "Z",
                       "fused");
         }
-        const double half = *sizes_.toeWidth / 2;
+        const double half = sizes_.toeWidth.value_or(sizes_.fusedWidth.value_or(0)) / 2;
         svg_.path("M" + at(-half, 0) + "Q" + at(0, 2 * *sizes_.height) + at(half, 0) + "Z", "weld");
     }
 

@@ -119,10 +119,10 @@ TEST_CASE("the verdict names standard and level, and what failed comes first, wh
     REQUIRE(rows.judged.rows.size() == 4);
     CHECK(rows.judged.rows[0].name == "Lack of fusion");
     CHECK(rows.judged.rows[0].value == "FAIL");
-    CHECK(rows.judged.rows[0].detail == "1.3 mm; none is allowed, at -8 mm");
+    CHECK(rows.judged.rows[0].detail == "1.3 mm \xC2\xB1 0.5 mm; none is allowed, at -8 mm");
     CHECK(rows.judged.rows[0].state == RowState::bad);
     CHECK(rows.judged.rows[1].value == "too fine to see");
-    CHECK(rows.judged.rows[1].detail == "100\xC2\xB0; at least 110\xC2\xB0, at 4 mm");
+    CHECK(rows.judged.rows[1].detail == "100\xC2\xB0 \xC2\xB1 15\xC2\xB0; at least 110\xC2\xB0, at 4 mm");
     CHECK(rows.judged.rows[2].detail == "Not simulated; at most 1.5 mm");
     CHECK(rows.judged.rows[3].name == "Undercut");
     CHECK(rows.judged.rows[3].value == "pass");
@@ -141,7 +141,17 @@ TEST_CASE("the verdict names standard and level, and what failed comes first, wh
                test::containsText("Unlikely with this technique"));
 
     judgement.verdict->accepted = true;
-    CHECK(judgementRows(judgement, nullptr).verdict == "Accepted by ISO 5817, level C");
+    const VerdictItem fusion = judgement.verdict->items[2];
+    judgement.verdict->items.erase(judgement.verdict->items.begin() + 2);
+    const JudgementRows yes = judgementRows(judgement, nullptr);
+    CHECK(yes.verdict == "Accepted by ISO 5817, level C");
+    CHECK(yes.verdictNote == "Nothing rejectable found; 2 items not assessed.");
+
+    VerdictItem& mean = judgement.verdict->items.emplace_back(fusion);
+    mean.uncertainty = 0.25;
+    mean.meanOver = 30e-3;
+    CHECK(find(judgementRows(judgement, nullptr).judged, "Lack of fusion").detail ==
+          "Mean 1.3 mm \xC2\xB1 0.3 mm over 30 mm; none is allowed");
 }
 
 TEST_CASE("a lesson without bands and acceptance says so and shows the measured weld", "[app]") {
@@ -192,7 +202,7 @@ TEST_CASE("in inches score, verdict and measured weld have no millimetres", "[ap
     chooseUnits(UnitSystem::metric);
     CHECK(rows.scoreNote == "1.54 of 1.57 in of the seam are welded.");
     CHECK(find(rows.technique, "Travel speed").detail == "Mean 24.3 in/min, target 19 in/min \xC2\xB1 1.9 in/min");
-    CHECK(rows.judged.rows[0].detail == "0.051 in; none is allowed, at -0.31 in");
+    CHECK(rows.judged.rows[0].detail == "0.051 in \xC2\xB1 0.02 in; none is allowed, at -0.31 in");
     CHECK(find(rows.measured, "Throat").value == "0.169 in");
     CHECK(find(rows.measured, "Throat").detail == "From 0.154 to 0.177 in");
     for (const auto* part : {&rows.technique, &rows.judged, &rows.measured})

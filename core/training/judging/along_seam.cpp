@@ -147,6 +147,22 @@ void addMillimetres(std::set<double>& found, const Seam& seam, double low, doubl
 
 } // namespace
 
+std::optional<WeldedRange> weldedRange(const Technique& technique) {
+    const std::span<const TechniqueStep> steps = technique.steps();
+    std::optional<WeldedRange> range;
+    for (const StepRange& each : weldedStretches(steps)) {
+        if (steps[each.end - 1].time - steps[each.begin].time < kStrikeSeconds) continue;
+        for (const TechniqueStep& step : steps.subspan(each.begin, each.end - each.begin)) {
+            if (!std::isfinite(step.place)) continue;
+            if (!range) range = {{step.place, step.place}, step.place};
+            range->stretch.low = std::min(range->stretch.low, step.place);
+            range->stretch.high = std::max(range->stretch.high, step.place);
+            range->stop = step.place;
+        }
+    }
+    return range;
+}
+
 std::vector<double> unknownPlaces(const Technique& technique) {
     const std::span<const TechniqueStep> steps = technique.steps();
     std::set<double> found;

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "core/training/judging/technique.hpp"
+#include "core/weld/gauge/weld_shape.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -35,6 +37,14 @@ struct SeamMillimetre {
 /// whipping torch the speed is that of the strokes' centres; a direction holds from the strike and from the turn on.
 /// Places more than 20 mm beyond the seam's ends are left out. Takes time in proportion to the number of steps.
 std::vector<SeamMillimetre> alongSeam(const Technique& technique);
+
+/// Stretch of the seam (m) that the arc passed, and the place where it was last. Flashes shorter than kStrikeSeconds do
+/// not count. Empty if no arc lasted.
+struct WeldedRange {
+    FaceStretch stretch;
+    double stop = 0;
+};
+std::optional<WeldedRange> weldedRange(const Technique& technique);
 
 /// Centres (m), in ascending order, of the whole millimetres with the arc burning and the hand unknown: those that it
 /// may have passed while tracking was lost or samples were missing. alongSeam() has values for none of them, and omits

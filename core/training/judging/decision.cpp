@@ -7,7 +7,7 @@ namespace meltpool {
 
 namespace {
 
-constexpr double kCoverage = 2;   ///< standard errors in an uncertainty: nineteen of twenty means are nearer
+constexpr double kCoverage = 2;    ///< standard errors in an uncertainty: nineteen of twenty means are nearer
 constexpr double kRounding = 1e-6; ///< mm or degrees: spacings in single precision, sums
 
 } // namespace

@@ -350,6 +350,10 @@ std::optional<VerdictItem> judgeItem(const WeldMeasures& measures, const Accepta
 Verdict judge(const WeldMeasures& measures, const Acceptance& acceptance, const NominalWeld& nominal,
               std::span<const Estimate> estimates) {
     Verdict verdict{acceptance.standard, acceptance.edition, acceptance.level, {}, !measures.stations.empty()};
+    verdict.judgedLength = measures.length();
+    verdict.askedLength = measures.asked;
+    verdict.complete = measures.isComplete();
+    verdict.accepted = verdict.accepted && verdict.complete;
     for (const AcceptanceItem& item : acceptance.items) {
         const WeldFigure& imperfection = *findImperfection(item.imperfection);
         const ItemJudge judge(measures, item, imperfection, nominal);

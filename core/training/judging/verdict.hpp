@@ -22,19 +22,23 @@ struct VerdictItem {
     VerdictState state = VerdictState::notResolved;
     bool beyond = false;         ///< the value is beyond the limit; for an estimate: the imperfection is to be expected
     double uncertainty = 0;      ///< of the value, in `unit`
-    std::optional<double> place; ///< m along the seam of that station, or the middle of that length
-    double meanOver = 0;         ///< m of seam that the value is the mean of; 0: a single station
+    std::optional<double> place; ///< m along the seam: that station, or the middle of that length
     std::string rule = {};       ///< rule of an estimate, see Estimate::rule
     /// For an item that fails: stretches of the stations that fail alone, or of those beyond the main limit in a length
     /// that fails by its mean; each station a pitch long, neighbours together, m along the seam.
     std::vector<FaceStretch> failing = {};
+    double meanOver = 0; ///< m of seam that the value is the mean of; 0: a single station
 };
 
 struct Verdict {
     std::string standard, edition, level;
     std::vector<VerdictItem> items; ///< each imperfection once, in the file's order; estimates without a limit last
-    /// True if there is a weld and no item fails. Items that are not resolved or estimated do not decide.
+    /// True if there is a weld as long as asked for, and no item fails. Items that are not resolved or estimated do not
+    /// decide.
     bool accepted = false;
+    double judgedLength = 0; ///< m of seam that the items are of
+    double askedLength = 0;  ///< m of seam that were to be welded; 0: not said
+    bool complete = true;    ///< WeldMeasures::isComplete()
 
     /// Number of items that are not resolved or estimated: "accepted" says nothing about them.
     size_t notAssessed() const;

@@ -100,6 +100,10 @@ Json verdictOf(const Verdict& verdict, const std::vector<Cure>& cures) {
               {"edition", verdict.edition},
               {"level", verdict.level},
               {"accepted", verdict.accepted},
+              {"not_assessed", verdict.notAssessed()},
+              {"judged_mm", jsonNumber(millimetres(verdict.judgedLength))},
+              {"asked_mm", jsonNumber(millimetres(verdict.askedLength))},
+              {"complete", verdict.complete},
               {"items", Json::array()}};
     for (const VerdictItem& item : verdict.items) {
         Json entry{{"name", item.name},
@@ -110,6 +114,7 @@ Json verdictOf(const Verdict& verdict, const std::vector<Cure>& cures) {
         if (item.limit) entry["limit_kind"] = limitWord(item.kind);
         entry["beyond"] = item.beyond;
         entry["uncertainty"] = jsonNumber(item.uncertainty);
+        if (item.meanOver > 0) entry["mean_over_mm"] = jsonNumber(millimetres(item.meanOver));
         if (item.place) entry["at_mm"] = jsonNumber(millimetres(*item.place));
         if (!item.failing.empty()) entry["stretches_mm"] = stretchesOf(item.failing);
         if (item.state == VerdictState::estimated) entry["rule"] = item.rule;

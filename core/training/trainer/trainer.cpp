@@ -157,8 +157,14 @@ LessonResult Trainer::result() const {
 Judgement Trainer::judge() const {
     if (!technique_) return {};
     StationSettings stations;
-    if (const auto& bands = lesson_.technique)
+    if (const auto& bands = lesson_.technique) {
         stations.seam = FaceStretch{bands->lengthFromMm * 1e-3, bands->lengthToMm * 1e-3};
+        stations.ends = 0; // the lesson says what counts, and start and crater may lie in it
+    }
+    if (const auto range = weldedRange(*technique_)) {
+        stations.passed = range->stretch;
+        stations.stop = range->stop;
+    }
     Judgement judgement = judgeAttempt(
         *technique_, metal_.run([&](MetalModel& metal) { return metal.measureWeld(stations); }),
         {lesson_.technique, lesson_.acceptance, lesson_.nominalWeld(), lesson_.process, lesson_.settingFacts()});

@@ -136,6 +136,7 @@ constexpr std::array kStationFigures{
 
 constexpr std::array kWholeWeldFigures{
     WeldFigure{.key = "straightness_mm", .unit = "mm", .whole = &WeldMeasures::straightness},
+    WeldFigure{.key = "crater_depth_mm", .unit = "mm", .whole = &WeldMeasures::craterDepth},
     WeldFigure{.key = "stations", .unit = "", .digits = 0},
     WeldFigure{.key = "pitch_mm", .unit = "mm"},
     WeldFigure{.key = "spacing_mm", .unit = "mm"},
@@ -143,7 +144,7 @@ constexpr std::array kWholeWeldFigures{
 
 /// Without toes the width is unknown.
 void takeBead(const BeadShape& bead, const std::optional<FaceStretch>& fused, WeldStation& station) {
-    station.toeWidth = bead.toeWidth();
+    if (bead.toes || !fused) station.toeWidth = bead.toeWidth();
     station.height = bead.height;
     if (bead.toes) {
         station.edgeAngle1 = (*bead.toes)[0].angle;
@@ -225,7 +226,7 @@ WeldStation stationOf(const Section& section, WeldKind kind, double place) {
         return station;
     }
     station.facesFused = section.fusion.depth > 0 ? 1 : 0;
-    station.lackOfFusion = section.fusion.depth > 0 ? -section.fusion.depth : *station.toeWidth;
+    station.lackOfFusion = section.fusion.depth > 0 ? -section.fusion.depth : station.toeWidth.value_or(0);
     return station;
 }
 

@@ -82,6 +82,21 @@ Judged excessiveThroat(const WeldStation& s, const NominalWeld& nominal, WeldKin
     return s.throat && throat ? inMm(*s.throat - *throat) : std::nullopt;
 }
 
+std::optional<PlacedImperfection> placedAtStop(const Judged& found, const WeldMeasures& weld) {
+    return found ? std::optional(PlacedImperfection{*found, weld.stop}) : std::nullopt;
+}
+
+std::optional<PlacedImperfection> craterPit(const WeldMeasures& weld, const NominalWeld&) {
+    return placedAtStop(inMm(weld.craterDepth), weld);
+}
+
+/// What lacks of the weld's size in its crater: of a fillet's throat, of other welds under the plate.
+std::optional<PlacedImperfection> craterLack(const WeldMeasures& weld, const NominalWeld& nominal) {
+    const Value full = weld.kind == WeldKind::fillet ? nominal.throatOf(weld.kind) : Value(0.0);
+    if (!full || !weld.craterSurface) return std::nullopt;
+    return placedAtStop(inMm(*full - *weld.craterSurface), weld);
+}
+
 template <Member measuredLeg>
 Judged legTooSmall(const WeldStation& s, const NominalWeld& nominal, WeldKind) {
     const auto leg = nominal.legOf();
@@ -214,13 +229,17 @@ constexpr std::array kImperfections = withTheirWords(std::array{
                .standard = {"617", "incorrect root gap for fillet welds"},
                .judged = setUp<&NominalWeld::jointGap>},
     WeldFigure{.key = "root_groove", .unit = "mm", .standard = {"5013", "shrinkage groove"}},
-    WeldFigure{.key = "end_crater_pipe", .unit = "mm", .standard = {"2025", "end crater pipe"}},
+    WeldFigure{.key = "end_crater_pipe",
+               .unit = "mm",
+               .resolution = kOneParticle,
+               .standard = {"2025", "end crater pipe"},
+               .judgedWhole = craterPit},
     WeldFigure{.key = "poor_restart", .unit = "mm", .standard = {"517", "poor restart"}},
     WeldFigure{.key = "stray_arc", .unit = "mm", .standard = {"601", "stray arc"}},
     WeldFigure{.key = "crack", .unit = "mm", .standard = {"100", "crack"}},
     WeldFigure{.key = "surface_pore", .unit = "mm", .standard = {"2017", "surface pore"}, .estimate = "surface_pore"},
     WeldFigure{.key = "piping_porosity", .unit = "mm", .estimate = "surface_pore"},
-    WeldFigure{.key = "unfilled_crater", .unit = "mm"},
+    WeldFigure{.key = "unfilled_crater", .unit = "mm", .resolution = kOneParticle, .judgedWhole = craterLack},
     WeldFigure{.key = "spatter", .unit = "mm", .standard = {"602", "spatter"}, .estimate = "spatter"},
     WeldFigure{
         .key = "slag_inclusion", .unit = "mm", .standard = {"301", "slag inclusion"}, .estimate = "slag_inclusion"},

@@ -10,7 +10,11 @@ namespace meltpool {
 
 namespace {
 
+using Value = WeldStation::Value;
+
 constexpr double kMm = 1e-3;
+constexpr double kCraterReach = 8e-3; ///< m before and behind the stop in which its crater lies
+constexpr int kCraterLayers = 3;      ///< layers of each cut through it
 constexpr size_t kLeastForLine = 3; ///< least number of stations for a straight line
 
 /// Returns the root mean square distance from the line of least squares through (place, middle).
@@ -32,6 +36,53 @@ std::optional<double> straightnessOf(const std::vector<WeldStation>& stations) {
         zz += (z - across) * (z - across);
     }
     return std::sqrt(std::max(zz - (xx > 0 ? xz * xz / xx : 0), 0.0) / count);
+}
+
+/// Returns a weld's throat, or the height of its surface over the face, negative where it lies under it.
+std::optional<double> surfaceOf(const WeldStation& station, WeldKind kind) {
+    if (kind == WeldKind::fillet) return station.throat;
+    return station.underfill.value_or(0) > 0 ? Value(-*station.underfill) : station.height;
+}
+
+/// Measures the surface near a place along the seam.
+class Crater {
+  public:
+    Crater(const WeldParticles& particles, const Material& material, WeldKind kind)
+        : particles_(particles), material_(material), kind_(kind) {}
+
+    std::optional<double> surfaceAt(double place, double length) const {
+        const SectionCut cut = sectionCut(material_, place - 0.5 * length, place + 0.5 * length);
+        return surfaceOf(stationOf(measureSection(particles_, cut), kind_, place), kind_);
+    }
+
+    /// Returns the depth of the deepest pit within `reach` of the place, found by cuts of `length`, all in m.
+    std::optional<double> pitAround(double place, double reach, double length) const {
+        std::vector<double> surface;
+        const double spacing = static_cast<double>(particles_.lattice().spacing);
+        for (double at = place - reach; at <= place + reach; at += spacing)
+            if (const auto height = surfaceAt(at, length)) surface.push_back(*height);
+        if (surface.empty()) return std::nullopt;
+        std::vector<double> behind = surface; // greatest from each place on
+        for (size_t i = behind.size() - 1; i-- > 0;)
+            behind[i] = std::max(behind[i], behind[i + 1]);
+        double before = surface.front(), deepest = 0;
+        for (size_t i = 0; i < surface.size(); ++i) {
+            before = std::max(before, surface[i]);
+            deepest = std::max(deepest, std::min(before, behind[i]) - surface[i]);
+        }
+        return deepest;
+    }
+
+  private:
+    const WeldParticles& particles_;
+    const Material& material_;
+    WeldKind kind_;
+};
+
+/// Returns the stretch in both; of no length if there is none.
+FaceStretch commonPart(const FaceStretch& a, const FaceStretch& b) {
+    const double low = std::max(a.low, b.low);
+    return {low, std::max(low, std::min(a.high, b.high))};
 }
 
 } // namespace
@@ -110,13 +161,23 @@ WeldMeasures measureWeld(const WeldParticles& particles, const Material& materia
                          const StationSettings& settings) {
     const double spacing = static_cast<double>(particles.lattice().spacing);
     auto seam = settings.seam;
-    if (!seam) seam = weldedStretch(particles, sectionCut(material, 0, 0).fusion);
+    if (!seam)
+        seam = weldedStretch(particles, sectionCut(material, 0, 0).fusion);
+    else if (settings.passed)
+        seam = commonPart(*seam, *settings.passed);
     std::vector<WeldStation> stations;
     if (seam)
         for (const SectionCut& cut : stationCuts(material, *seam, spacing, settings))
             stations.push_back(stationOf(measureSection(particles, cut), kind, cut.at()));
     WeldMeasures measures = summarise(std::move(stations), kind, settings.pitch, spacing);
     measures.cut = settings.cutLength(spacing);
+    measures.asked = settings.seam ? settings.seam->length() : 0;
+    if (!settings.stop) return measures;
+    measures.stop = *settings.stop;
+    const Crater crater(particles, material, kind);
+    measures.craterDepth = crater.pitAround(measures.stop, kCraterReach, kCraterLayers * spacing);
+    const FaceStretch end = settings.seam.value_or(FaceStretch{measures.stop, measures.stop});
+    measures.craterSurface = crater.surfaceAt(std::clamp(measures.stop, end.low, end.high), measures.cut);
     return measures;
 }
 

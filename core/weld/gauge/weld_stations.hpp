@@ -28,6 +28,10 @@ struct StationSettings {
     /// m along the seam: the stretch to be welded, so that a place without weld counts. None: the stretch that was
     /// welded.
     std::optional<FaceStretch> seam;
+    /// m along the seam: the stretch that the torch passed. Only this part of the seam is measured: beyond it nothing
+    /// was to be expected. None: all of the seam.
+    std::optional<FaceStretch> passed;
+    std::optional<double> stop; ///< m along the seam: the last place of the torch, whose crater is measured
 
     /// m of seam that a station is measured over with particles of this spacing (m): neighbours may share metal.
     double cutLength(double spacing) const { return std::max(pitch, layers * spacing); }
@@ -41,7 +45,8 @@ struct WeldStation {
     using Value = std::optional<double>;
 
     double place = 0;  ///< m along the seam, middle of the cut
-    Value toeWidth;    ///< m from toe to toe: of a fillet the width of its face
+    /// m from toe to toe: of a fillet the width of its face. None for a bead too low for toes; 0 without weld.
+    Value toeWidth;
     Value fusedWidth;  ///< m, WeldZone::width
     Value height;      ///< m, height of a bead over the face
     Value leg1, leg2;  ///< leg lengths, m
@@ -88,8 +93,19 @@ struct WeldMeasures {
     /// m, root mean square distance of the stations' `middle` from the straight line that fits them best. None for
     /// fewer than three of them.
     std::optional<double> straightness;
+    /// m, depth of the pit in which the weld ends: its lowest place near the stop under the lower one of the places
+    /// before and behind it, as throat or height over the plate. None where the place of the stop is not known.
+    std::optional<double> craterDepth;
+    /// m, throat or height over the plate (negative under it) where the torch stopped, or at the end of the seam if it
+    /// ran on beyond. None as above.
+    std::optional<double> craterSurface;
+    double stop = 0;  ///< m along the seam, place of the crater
+    double asked = 0; ///< m of seam that were to be welded; 0: not said
 
     double length() const { return pitch * static_cast<double>(stations.size()); } ///< m, length of the judged seam
+    /// False if the judged seam is shorter than asked for by more than a station's cut: the pool reaches about as far
+    /// beyond the torch.
+    bool isComplete() const { return asked - length() <= cut + pitch; }
 };
 
 /// Returns one station's figures from its section; none for a section outside the workpiece. `place`: m along the seam.

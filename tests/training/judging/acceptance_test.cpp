@@ -255,11 +255,20 @@ TEST_CASE("AWS D1.1: limits by size of the fillet, plate and face", "[acceptance
     CHECK(limitOf(aws, "convexity", fillet, sized(6, 6, 9)) == 3);
     CHECK(limitOf(aws, "convexity", fillet, sized(6, 6, 25)) == 5);
     CHECK(limitOf(aws, "excess_weld_metal", WeldKind::butt) == 3);
+    CHECK(limitOf(aws, "piping_porosity", fillet) == 10);
+    CHECK(itemOf(aws, "piping_porosity", WeldKind::butt).kind == LimitKind::notPermitted);
+    // Primary members under cyclic load with the weld across the tension: less undercut, all else as above.
+    const Acceptance cyclic = shipped("aws-d1-1-cyclic");
+    CHECK(limitOf(cyclic, "undercut", fillet, sized(6, 6, 7)) == 0.25);
+    CHECK(limitOf(cyclic, "undercut", fillet, sized(6, 30, 7)) == 0.25);
+    CHECK_FALSE(itemOf(cyclic, "undercut", fillet).shortOnes);
+    CHECK(limitOf(cyclic, "convexity", fillet, sized(6, 6, 9)) == 3);
+    CHECK(cyclic.items.size() + 1 == aws.items.size()); // there undercut has a row for plates from 25 mm
 }
 
 TEST_CASE("every shipped acceptance is found by its name, and others are told", "[acceptance]") {
-    CHECK(acceptanceNames() ==
-          std::vector<std::string>{"aws-d1-1-static", "iso5817-b", "iso5817-c", "iso5817-d", "solder"});
+    CHECK(acceptanceNames() == std::vector<std::string>{"aws-d1-1-cyclic", "aws-d1-1-static", "iso5817-b", "iso5817-c",
+                                                        "iso5817-d", "solder"});
     for (const std::string& name : acceptanceNames()) {
         INFO(name);
         CHECK(findAcceptance(name).items.size() > 8);

@@ -364,3 +364,24 @@ TEST_CASE("technique.csv has a row a millimetre, and empty cells for what is unk
     CHECK(text.find(",,,") != std::string::npos); // no rod
     CHECK(techniqueCsv(seam, DistanceKind::ctwd).find(",ctwd_mm,") != std::string::npos);
 }
+
+TEST_CASE("the welded range goes from the first to the last place of an arc that lasted, and stops there", "[technique]") {
+    CHECK_FALSE(weldedRange(Technique(plateSeam())));
+    // Flashes at -40 mm, welds from -20 to 10 mm, goes back to 0 with the arc out and welds on to 5 mm.
+    const auto hand = [](double t) {
+        Hand now;
+        if (t < 0.3)
+            now.placeMm = -40;
+        else if (t < 3.5)
+            now.placeMm = -20 + 10 * std::clamp(t - 0.5, 0.0, 3.0);
+        else
+            now.placeMm = 10 * std::clamp(t - 4, 0.0, 0.5);
+        now.burns = t < 0.3 || (t > 0.5 && t < 3.5) || t > 4;
+        return now;
+    };
+    const auto range = weldedRange(weldWith(plateSeam(), 4.6, hand));
+    REQUIRE(range);
+    CHECK(range->stretch.low * 1e3 == Approx(-20).margin(0.2));
+    CHECK(range->stretch.high * 1e3 == Approx(10).margin(0.2));
+    CHECK(range->stop * 1e3 == Approx(5).margin(0.2));
+}

@@ -431,6 +431,42 @@ TEST_CASE("nothing welded is not accepted", "[verdict]") {
     CHECK(nameOf(VerdictState::estimated) == "estimated");
 }
 
+TEST_CASE("a crater is judged by its pit, or by what lacks of the weld's size in it", "[verdict]") {
+    const Acceptance c = shipped("iso5817-c"), aws = shipped("aws-d1-1-static");
+    const auto crater = [](WeldKind kind, double pit, double surface) {
+        WeldMeasures weld = weldOf(kind);
+        weld.craterDepth = pit * kMm;
+        weld.craterSurface = surface * kMm;
+        weld.stop = 99 * kMm;
+        return weld;
+    };
+    // C, 6 mm plate: 0.6 mm; particles of 0.5 mm.
+    const WeldMeasures deep = crater(WeldKind::bead, 1.2, 0);
+    CHECK(stateOf(deep, c, "end_crater_pipe") == VerdictState::fail);
+    CHECK(*itemOf(judge(deep, c, nominal(WeldKind::bead)), "end_crater_pipe").place == Approx(99 * kMm));
+    CHECK(stateOf(crater(WeldKind::bead, 1, 0), c, "end_crater_pipe") == VerdictState::notResolved);
+    CHECK(stateOf(crater(WeldKind::bead, 0.05, 0), c, "end_crater_pipe") == VerdictState::pass);
+    // D1.1: filled up to the throat of 4 mm, or to the plate.
+    CHECK(stateOf(crater(WeldKind::fillet, 0, 3.4), aws, "unfilled_crater") == VerdictState::fail);
+    CHECK(stateOf(crater(WeldKind::fillet, 0, 3.6), aws, "unfilled_crater") == VerdictState::notResolved);
+    CHECK(stateOf(crater(WeldKind::fillet, 0, 4.6), aws, "unfilled_crater") == VerdictState::pass);
+    CHECK(stateOf(crater(WeldKind::butt, 0, -0.6), aws, "unfilled_crater") == VerdictState::fail);
+    CHECK(stateOf(crater(WeldKind::butt, 0, 0.6), aws, "unfilled_crater") == VerdictState::pass);
+}
+
+TEST_CASE("a weld shorter than asked for is judged on its length and not accepted", "[verdict]") {
+    WeldMeasures weld = weldOf(WeldKind::fillet);
+    weld.asked = 104 * kMm;
+    CHECK(judge(weld, shipped("iso5817-c"), nominal(WeldKind::fillet)).accepted);
+    weld.asked = 105 * kMm; // 100 mm, a cut of 2.5 mm and a pitch of 2 mm
+    const Verdict verdict = judge(weld, shipped("iso5817-c"), nominal(WeldKind::fillet));
+    CHECK_FALSE(verdict.accepted);
+    CHECK_FALSE(verdict.complete);
+    CHECK(failures(verdict).empty());
+    CHECK(verdict.judgedLength == Approx(100 * kMm));
+    CHECK(verdict.askedLength == Approx(105 * kMm));
+}
+
 TEST_CASE("an item that fails tells where, neighbours together", "[verdict]") {
     const Acceptance c = shipped("iso5817-c");
     WeldMeasures weld = weldOf(

@@ -291,6 +291,63 @@ TEST_CASE("a bead that swings is not straight, and a seam that is not welded all
     CHECK(*whole.greatest.lackOfFusion == 0); // a place without weld
 }
 
+TEST_CASE("beyond the place where the torch stopped nothing is measured, and the weld is told as incomplete",
+          "[stations]") {
+    test::context();
+    StationSettings settings;
+    settings.seam = {-18 * kMm, 28 * kMm};
+    settings.ends = 0;
+    const PlateWeld weld(2); // from -20 to 20 mm
+    const WeldMeasures whole = weld.measure(settings);
+    CHECK(whole.stations.size() == 23);
+    CHECK(*whole.mean.height / kMm < 1.8); // the bare plate beyond 20 mm counts
+    CHECK(whole.isComplete());
+    settings.passed = {-30 * kMm, 17 * kMm};
+    const WeldMeasures welded = weld.measure(settings);
+    CHECK(welded.stations.size() == 17); // 35 mm from the seam's start to the stop
+    CHECK(welded.stations.front().place / kMm == Approx(-16.5));
+    CHECK(*welded.least.facesFused == 1);
+    CHECK(*welded.mean.height / kMm == Approx(2).margin(0.25));
+    CHECK(welded.asked == Approx(46 * kMm));
+    CHECK_FALSE(welded.isComplete());
+    settings.seam = {-18 * kMm, 18 * kMm};
+    CHECK(weld.measure(settings).isComplete()); // 1 mm less than asked for
+    settings.passed = {30 * kMm, 40 * kMm};
+    CHECK(weld.measure(settings).stations.empty());
+    CHECK_FALSE(weld.measure(settings).craterDepth);
+}
+
+TEST_CASE("a crater is as deep as its lowest place under the lower of both its shores", "[stations]") {
+    test::context();
+    const double stop = 16.5;
+    StationSettings settings;
+    settings.stop = stop * kMm;
+    settings.seam = {-18 * kMm, 18 * kMm};
+    PlateWeld weld(3);
+    const WeldMeasures filled = weld.measure(settings);
+    REQUIRE(filled.craterDepth);
+    CHECK(*filled.craterDepth / kMm < 0.25); // the weld only ends
+    CHECK(*filled.craterSurface / kMm == Approx(3).margin(0.25));
+    std::erase_if(weld.metal, [](const MetalSeed& seed) {
+        return seed.position.x > 15e-3F && seed.position.x < 18e-3F && seed.position.y > 1e-3F;
+    });
+    const WeldMeasures hollow = weld.measure(settings);
+    CHECK(*hollow.craterDepth / kMm == Approx(2).margin(0.5));
+    CHECK(*hollow.craterSurface / kMm == Approx(1).margin(0.5));
+    CHECK(hollow.stop == Approx(stop * kMm));
+    settings.seam = {-18 * kMm, 10 * kMm}; // the weld ran on beyond it: its size at the end counts
+    CHECK(*weld.measure(settings).craterSurface / kMm == Approx(3).margin(0.25));
+}
+
+TEST_CASE("a bead too low for toes has no width, and a place without weld the width 0", "[stations]") {
+    Section section;
+    section.layers = 4;
+    section.bead.emplace().height = 0.3 * kMm;
+    CHECK(*stationOf(section, WeldKind::butt, 0).toeWidth == 0);
+    section.fusedTop = {-2 * kMm, 2 * kMm};
+    CHECK_FALSE(stationOf(section, WeldKind::butt, 0).toeWidth);
+}
+
 TEST_CASE("fillets of tee and lap joints are measured at all stations within half a spacing", "[stations]") {
     test::context();
     for (const WorkpieceKind kind : {WorkpieceKind::Tee, WorkpieceKind::Lap}) {
