@@ -233,6 +233,20 @@ constexpr std::array kCauses{
     set("unfilled_crater", "current", kMore, hot),
     set("unfilled_crater", "voltage", kMore, hot),
 
+    hand("end_crater_pipe", travelSpeed, kMore, littleMetal),
+    hand("end_crater_pipe", rodFrequency, kLess, littleMetal),
+    set("end_crater_pipe", "current", kMore, hot),
+    set("end_crater_pipe", "voltage", kMore, hot),
+
+    hand("root_groove", travelSpeed, kMore, starved),
+    set("root_groove", "current", kMore, hot),
+    set("root_groove", "voltage", kMore, hot),
+    set("root_groove", "gap_mm", kMore, setUp),
+
+    hand("poor_restart", travelSpeed, kMore, cold),
+    hand("poor_restart", distance, kMore, cold),
+    set("poor_restart", "current", kLess, cold),
+
     hand("spatter", distance, kMore, hot),
     hand("spatter", travelAngle, kEither, air),
     set("spatter", "voltage", kMore, hot),

@@ -115,7 +115,8 @@ TEST_CASE("every imperfection has at least two causes, in hand or machine, that 
     for (const WeldFigure& each : imperfections()) {
         INFO(each.key);
         // The gap and the offset of the plates were set up so: no hand causes them.
-        const bool setUp = each.key == "linear_misalignment" || each.key == "joint_gap";
+        // A strike beside the seam is no deviation along it.
+        const bool setUp = each.key == "linear_misalignment" || each.key == "joint_gap" || each.key == "stray_arc";
         CHECK(rows[each.key] >= (setUp ? 0 : 2));
     }
 }

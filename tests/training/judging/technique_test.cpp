@@ -365,7 +365,8 @@ TEST_CASE("technique.csv has a row a millimetre, and empty cells for what is unk
     CHECK(techniqueCsv(seam, DistanceKind::ctwd).find(",ctwd_mm,") != std::string::npos);
 }
 
-TEST_CASE("the welded range goes from the first to the last place of an arc that lasted, and stops there", "[technique]") {
+TEST_CASE("the welded range goes from the first to the last place of an arc that lasted, and stops there",
+          "[technique]") {
     CHECK_FALSE(weldedRange(Technique(plateSeam())));
     // Flashes at -40 mm, welds from -20 to 10 mm, goes back to 0 with the arc out and welds on to 5 mm.
     const auto hand = [](double t) {
