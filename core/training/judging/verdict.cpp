@@ -103,7 +103,7 @@ std::optional<ReadingRun> SideJudge::worstFailingRun() const {
         if (!fails || (worst && run.margin() < worst->margin() - kRounding)) return;
         if (!worst || run.margin() > worst->margin() + kRounding || run.count > worst->count) worst = run;
     };
-    // A single station that fails is told before any mean: it is where to look.
+    // A single station that fails comes before any mean: it shows the place.
     for (size_t i = 0; i < readings_.size(); ++i)
         take(runOf(i, 1));
     if (worst) return worst;

@@ -68,8 +68,14 @@ Judged overlapAt(const WeldStation& s, const NominalWeld&, WeldKind) {
     return found;
 }
 
+/// Takes a leg whose toe has a place: metal that runs out flatter than an angle is resolved ends anywhere.
+Value placedLeg(const Value& leg, const Value& edgeAngle) {
+    return edgeAngle && *edgeAngle * 180 / std::numbers::pi < kResolvedAngle ? std::nullopt : leg;
+}
+
 Judged excessiveAsymmetry(const WeldStation& s, const NominalWeld&, WeldKind) {
-    return s.leg1 && s.leg2 ? inMm(std::abs(*s.leg1 - *s.leg2)) : std::nullopt;
+    const Value leg1 = placedLeg(s.leg1, s.edgeAngle1), leg2 = placedLeg(s.leg2, s.edgeAngle2);
+    return leg1 && leg2 ? inMm(std::abs(*leg1 - *leg2)) : std::nullopt;
 }
 
 Judged insufficientThroat(const WeldStation& s, const NominalWeld& nominal, WeldKind kind) {
@@ -90,17 +96,18 @@ std::optional<PlacedImperfection> craterPit(const WeldMeasures& weld, const Nomi
     return placedAtStop(inMm(weld.craterDepth), weld);
 }
 
-/// What lacks of the weld's size in its crater: of a fillet's throat, of other welds under the plate.
+/// Missing size in the crater: of a fillet's throat; of other welds the depth under the plate.
 std::optional<PlacedImperfection> craterLack(const WeldMeasures& weld, const NominalWeld& nominal) {
     const Value full = weld.kind == WeldKind::fillet ? nominal.throatOf(weld.kind) : Value(0.0);
     if (!full || !weld.craterSurface) return std::nullopt;
     return placedAtStop(inMm(*full - *weld.craterSurface), weld);
 }
 
-template <Member measuredLeg>
+template <Member measuredLeg, Member edgeAngle>
 Judged legTooSmall(const WeldStation& s, const NominalWeld& nominal, WeldKind) {
-    const auto leg = nominal.legOf();
-    return s.*measuredLeg && leg ? inMm(*leg - *(s.*measuredLeg)) : std::nullopt;
+    const auto asked = nominal.legOf();
+    const Value leg = placedLeg(s.*measuredLeg, s.*edgeAngle);
+    return leg && asked ? inMm(*asked - *leg) : std::nullopt;
 }
 
 /// A station alone resolves a length no finer than one particle: its outline is a mean over five layers of metal in
@@ -216,8 +223,8 @@ constexpr std::array kImperfections = withTheirWords(std::array{
                .unit = "mm",
                .resolution = kOneParticle,
                .gaugeError = kLegError,
-               .judged = legTooSmall<&WeldStation::leg1>,
-               .judgedOther = legTooSmall<&WeldStation::leg2>,
+               .judged = legTooSmall<&WeldStation::leg1, &WeldStation::edgeAngle1>,
+               .judgedOther = legTooSmall<&WeldStation::leg2, &WeldStation::edgeAngle2>,
                .meanDecides = true},
     WeldFigure{.key = "linear_misalignment",
                .formerKey = "plates_offset",

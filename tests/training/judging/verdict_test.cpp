@@ -271,6 +271,19 @@ TEST_CASE("overlap counts only where the metal stands over the plate at less tha
     CHECK(stateOf(weldOf(WeldKind::bead, other, 7, 7), c, "overlap") == VerdictState::pass);
 }
 
+TEST_CASE("a toe that runs out flat has no place, so its leg is not judged", "[verdict]") {
+    const auto flat = [](double degrees) {
+        const auto change = [=](WeldStation& s) {
+            s.leg2 = 12 * kMm; // the gauge continues a flat surface to far away
+            s.edgeAngle2 = degrees * kDegree;
+        };
+        return weldOf(WeldKind::fillet, change, 7, 7);
+    };
+    const Acceptance c = shipped("iso5817-c");
+    CHECK(stateOf(flat(16), c, "excessive_asymmetry") == VerdictState::fail);
+    CHECK(stateOf(flat(14), c, "excessive_asymmetry") == VerdictState::pass);
+}
+
 TEST_CASE("short imperfections have their allowance", "[verdict]") {
     const Acceptance c = shipped("iso5817-c");
     const auto fillet = WeldKind::fillet, butt = WeldKind::butt;

@@ -291,8 +291,7 @@ TEST_CASE("a bead that swings is not straight, and a seam that is not welded all
     CHECK(*whole.greatest.lackOfFusion == 0); // a place without weld
 }
 
-TEST_CASE("beyond the place where the torch stopped nothing is measured, and the weld is told as incomplete",
-          "[stations]") {
+TEST_CASE("beyond the place where the torch stopped nothing is measured, and the weld is incomplete", "[stations]") {
     test::context();
     StationSettings settings;
     settings.seam = {-18 * kMm, 28 * kMm};
