@@ -4,7 +4,7 @@
 #include "core/training/lesson/lesson.hpp"
 #include "core/training/lesson/recorded_attempt.hpp"
 #include "tests/support/catch.hpp"
-#include "tests/xr/desk_keys.hpp"
+#include "tests/xr/desk_window.hpp"
 #include "tests/xr/trainee.hpp"
 
 #include <algorithm>
