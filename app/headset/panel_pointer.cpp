@@ -45,7 +45,7 @@ void PanelPointer::move(bool aside, const std::optional<glm::vec3>& eyes, xr::Ha
         }
     }
     const auto steps = static_cast<float>(elapsed / kMoving);
-    const auto approach = [&](float& value, float target, float step) {
+    const auto approach = [](float& value, float target, float step) {
         value += std::clamp(target - value, -step, step);
     };
     const float side = torchHand == xr::Hand::right ? -1.0f : 1.0f;
@@ -53,8 +53,8 @@ void PanelPointer::move(bool aside, const std::optional<glm::vec3>& eyes, xr::Ha
         aside_ = aside ? 1.0f : 0.0f;
         side_ = side;
     } else if (!pointer_.pressed) {
-        approach(aside_, aside ? 1.0f : 0.0f, steps);
-        approach(side_, side, 2 * steps);
+        approach(aside_, aside && side_ == side ? 1.0f : 0.0f, steps);
+        if (aside_ == 0) side_ = side;
     }
     const float share = aside_ * aside_ * (3 - 2 * aside_);
     const glm::vec3 there(side_ * kAsideX, table + kOverTable + 0.05f, -kBehind);

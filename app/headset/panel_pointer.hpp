@@ -23,7 +23,8 @@ class PanelPointer {
     void update(const xr::Input& input, const Workshop& workshop, const xr::PanelShape& shape, xr::Hand torchHand);
     /// Moves the panel towards its place, but never while a trigger is pulled at it: in front of the person, or `aside`
     /// of the workpiece, away from the torch's hand. `eyes`: their place in the workshop, empty while unknown; the
-    /// panel takes its height from them when it comes in front. `elapsed`: real seconds since the last frame.
+    /// panel takes its height from them when it comes in front. For the other hand it goes to the other side by way of
+    /// the front, where it meets no machine. `elapsed`: real seconds since the last frame.
     void move(bool aside, const std::optional<glm::vec3>& eyes, xr::Hand torchHand, double elapsed);
     /// Takes the height in front from the eyes again, after the workshop was moved.
     void forgetHeight() { heightKnown_ = false; }
@@ -35,6 +36,8 @@ class PanelPointer {
     /// Pose of the panel in the workshop.
     const xr::Pose& pose() const { return pose_; }
     const PointerOnPanel& pointer() const { return pointer_; }
+    /// Side of the place aside: -1 left, 1 right of the workpiece. The machine is on the other one.
+    float side() const { return side_; }
     /// Hand that points at the panel now; empty: none.
     std::optional<xr::Hand> pointingHand() const;
     /// Pointer's ray in the workshop, from the hand to the panel. Valid only while a hand points at it.

@@ -44,6 +44,8 @@ void StereoView::takeHands(const HeadsetHands& hands, const PanelPointer& panel)
     hands_.holder = hands.holder();
     hands_.heat = torch.trigger();
     hands_.rod = hands.rod();
+    hands_.rightHand = hands.torchHand() == xr::Hand::right;
+    hands_.machineRight = panel.side() < 0;
     if (panel.pointingHand()) {
         hands_.rayStart = panel.rayStart();
         hands_.rayEnd = panel.rayEnd();
@@ -64,7 +66,8 @@ void StereoView::standCut(LessonSession& session, SceneView& scene) const {
 }
 
 /// Puts the visor on; a weld without an arc needs none.
-void StereoView::wearVisor(const LessonSession& session, SceneView& scene, const View& between, LookParameters& look) {
+void StereoView::wearVisor(const LessonSession& session, SceneView& scene, const View& between,
+                           std::span<const View> eyes, LookParameters& look) {
     if (!scene.temperature.kelvin) return visor_.wear(parameters_, false, look);
     if (!isArcWelding(session.lesson().process)) return;
     const double elapsed = std::exchange(sinceSeen_, 0);
@@ -73,7 +76,7 @@ void StereoView::wearVisor(const LessonSession& session, SceneView& scene, const
     if (session.leader() == TorchLeader::path)
         worn.visorShade =
             std::max(worn.visorShade - kLighterToWatch, std::min(worn.visorShade, float(WornVisor::kProtects)));
-    visor_.update(worn, seenArc(scene, between, session.run().arc().length), look, elapsed);
+    visor_.update(worn, seenArc(scene, between, eyes, session.run().arc().length), look, elapsed);
     visor_.wear(worn, true, look);
     scene.afterImage = visor_.afterImage(worn);
 }
@@ -86,10 +89,12 @@ void StereoView::furnish(LessonSession& session, const SceneView& lesson, const 
     // The zoom enlarges the holders with the workpiece.
     if (!session.picture().cut().shown()) session.picture().addHolders(holders_, place.overTable / place.zoom);
     hands_.holders = holders_;
-    if (session.leader() == TorchLeader::path) {
-        hands_.toolFittings = lesson.fittings;
-        hands_.rod.reset();
-    }
+    if (session.leader() != TorchLeader::path) return;
+    hands_.rod.reset();
+    if (lesson.fittings.empty()) return; // before a cut
+    hands_.demonstrated = &session.run().torch();
+    hands_.workpieceToWorkshop =
+        glm::scale(glm::translate(glm::mat4(1.0f), place.origin) * glm::mat4(place.turn), glm::vec3(place.zoom));
 }
 
 /// Takes the state of wire, electrode and arc at the torch in the hand. On a workpiece that is shown larger, an
@@ -132,12 +137,12 @@ void StereoView::draw(LessonSession& session, const SceneView& lesson, const Wor
     scene.source.shown &= demonstrated; // the drawn torch replaces the source otherwise
     if (session.picture().cut().shown()) standCut(session, scene);
     look.showBox = false;
-    View between = viewOf(workshop, eyes.views[0], eyes); // cues have one place for both eyes
-    between.eye = (between.eye + viewOf(workshop, eyes.views[1], eyes).eye) * 0.5f;
-    wearVisor(session, scene, between, look);
+    const std::array<View, 2> views{viewOf(workshop, eyes.views[0], eyes), viewOf(workshop, eyes.views[1], eyes)};
+    View between = views[0]; // cues have one place for both eyes
+    between.eye = (between.eye + views[1].eye) * 0.5f;
+    wearVisor(session, scene, between, views, look);
     Renderer& renderer = session.picture().renderer();
     renderer.submitBy(wantedSubmission(parameters_));
-    const std::array<View, 2> views{viewOf(workshop, eyes.views[0], eyes), viewOf(workshop, eyes.views[1], eyes)};
     scene.ghost = session.picture().ghostMarkers(scene, between, place.zoom);
     scene.markers = session.picture().cueMarkers(scene, between);
     const HiddenArea hidden{eyes.hidden.corners, eyes.hidden.version};

@@ -8,6 +8,7 @@
 #include "app/session/lesson_session.hpp"
 #include "xr/headset.hpp"
 
+#include <span>
 #include <vector>
 
 namespace meltpool {
@@ -43,7 +44,8 @@ class StereoView {
     void takeArc(const LessonSession& session, const SceneView& scene, float zoom);
     void furnish(LessonSession& session, const SceneView& lesson, const WorkpiecePlace& place);
     void standCut(LessonSession& session, SceneView& scene) const;
-    void wearVisor(const LessonSession& session, SceneView& scene, const View& between, LookParameters& look);
+    void wearVisor(const LessonSession& session, SceneView& scene, const View& between, std::span<const View> eyes,
+                   LookParameters& look);
 
     const HeadsetParameters& parameters_;
     WorkshopScene scene_;

@@ -22,6 +22,12 @@ constexpr glm::vec3 kBrass(0.58f, 0.44f, 0.17f);
 constexpr glm::vec3 kSafetyRed(0.55f, 0.03f, 0.02f);
 constexpr glm::vec3 kHeatGlow(2.4f, 1.7f, 0.9f);
 
+/// Returns the end of the cable of a torch in this hand: a cable that crosses the table would cross the sight, too.
+glm::vec3 cableEnd(const HeadsetParameters& parameters, bool right) {
+    const glm::vec3 left = kCableEnd + glm::vec3(0, parameters.tableHeight, -Workshop::kTableBack);
+    return {right ? -left.x : left.x, left.y, left.z};
+}
+
 } // namespace
 
 WorkshopScene::WorkshopScene() {
@@ -89,9 +95,19 @@ void WorkshopScene::addProcessTorch(const HeadsetParameters& parameters, const H
     solids_.insert(solids_.end(), torch_.begin(), torch_.end());
     TorchSurroundings around;
     around.hand = hands.holder.tracked();
-    around.cableEnd = kCableEnd + glm::vec3(0, parameters.tableHeight, -Workshop::kTableBack);
-    if (hands.holder.right) around.cableEnd.x *= -1; // a cable that crosses the table would cross the sight, too
+    around.cableEnd = cableEnd(parameters, hands.holder.right);
     buildTorchFittings(fittings_, sample, *hands.process, around, glm::mat4(1.0f));
+}
+
+/// Adds the fittings of a demonstration's torch, with handle and cable on the side of the person's own hand.
+void WorkshopScene::addDemonstratedTorch(const HeadsetParameters& parameters, const HandsView& hands) {
+    const glm::mat4 toWorkpiece = glm::inverse(hands.workpieceToWorkshop);
+    TorchSurroundings around;
+    around.rightHand = hands.rightHand;
+    around.cableEnd = toWorkpiece * glm::vec4(cableEnd(parameters, hands.rightHand), 1);
+    around.up = glm::normalize(glm::mat3(toWorkpiece) * glm::vec3(0, 1, 0));
+    buildTorchFittings(demonstrated_, *hands.demonstrated, *hands.process, around, hands.workpieceToWorkshop);
+    fittings_.insert(fittings_.end(), demonstrated_.begin(), demonstrated_.end());
 }
 
 void WorkshopScene::addEmptyHand(const HandsView& hands) {
@@ -106,11 +122,10 @@ void WorkshopScene::addRodHand(const HandsView& hands) {
     addGlovedHand(fittings_, rodGripOf(hands.rod->tracked(), way, end), glm::mat4(1.0f));
 }
 
-/// Table and machine are made again only when they change. The machine is on the side of the torch's hand, from which
-/// the cable comes; the panel is on the other side.
+/// Table and machine are made again only when they change.
 void WorkshopScene::furnish(const HeadsetParameters& parameters, const HandsView& hands) {
     const FurnitureKey key{parameters.tableHeight, hands.process->kind, equipmentOf(*hands.process).displays,
-                           parameters.hand == HeadsetParameters::kRight};
+                           hands.machineRight};
     if (furnished_ != key) {
         const glm::mat4 bench = glm::translate(glm::mat4(1.0f), {0, parameters.tableHeight, -Workshop::kTableBack});
         furniture_.clear();
@@ -143,10 +158,7 @@ std::span<const Solid> WorkshopScene::build(const HeadsetParameters& parameters,
         addGlow(hands);
     }
     if (hands.rod && hands.process != nullptr) addRodHand(hands);
-    for (Solid fitting : hands.toolFittings) {
-        fitting.toWorld = hands.toolsToWorkshop * fitting.toWorld;
-        fittings_.push_back(fitting);
-    }
+    if (hands.demonstrated != nullptr && hands.process != nullptr) addDemonstratedTorch(parameters, hands);
     for (Solid solid : hands.tools) {
         solid.toWorld = hands.toolsToWorkshop * solid.toWorld;
         solids_.push_back(solid);

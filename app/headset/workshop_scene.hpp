@@ -29,7 +29,11 @@ struct HandsView {
     float extension = 0;                 ///< m, of the wire or electrode, see ArcState; 0: the set length
     float burnt = 0;                     ///< m of the electrode that have burnt off before `tip`
     std::optional<HandPose> rod;         ///< hand that holds the filler rod
-    std::span<const Solid> toolFittings; ///< fittings of `tools`, instead of the hands' own; in the lesson's world
+    /// Torch of a demonstration or replay, in the workpiece's frame; null: the hand's own, or hidden by a cut.
+    const TorchSample* demonstrated = nullptr;
+    glm::mat4 workpieceToWorkshop{1.0f}; ///< transform of its frame
+    bool rightHand = true;               ///< the torch's hand, of the person who watches, too
+    bool machineRight = true;            ///< side of the machine; the panel is on the other one
     std::span<const Solid> holders;      ///< holders of the workpiece, in the lesson's world
 };
 
@@ -58,6 +62,7 @@ class WorkshopScene {
     };
 
     void addProcessTorch(const HeadsetParameters& parameters, const HandsView& hands);
+    void addDemonstratedTorch(const HeadsetParameters& parameters, const HandsView& hands);
     void addGlow(const HandsView& hands);
     void furnish(const HeadsetParameters& parameters, const HandsView& hands);
     void addRoom(float tableHeight);
@@ -71,6 +76,7 @@ class WorkshopScene {
     std::vector<Solid> fittings_;
     std::vector<Solid> furniture_;
     std::vector<Solid> torch_;
+    std::vector<Solid> demonstrated_; ///< fittings of a demonstration's torch
     std::optional<FurnitureKey> furnished_;
     size_t standing_ = 0; ///< number of furniture solids that are table and machine
 };

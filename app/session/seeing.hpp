@@ -2,12 +2,14 @@
 #pragma once
 
 #include "core/render/effects/worn_visor.hpp"
+#include "core/render/line_of_sight.hpp"
 #include "core/render/scene.hpp"
 #include "core/render/view.hpp"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <span>
 
 namespace meltpool {
 
@@ -22,6 +24,15 @@ inline SeenArc seenArc(const SceneView& scene, const View& eye, float length) {
     const glm::vec3 world = scene.modelToWorld * glm::vec4(scene.arc.position, 1);
     seen.towards = glm::normalize(glm::mat3(eye.worldToEye) * (world - eye.eye));
     seen.inSight = -seen.towards.z > kSight;
+    return seen;
+}
+
+/// Arc of this scene for a person with these eyes, `between` which its direction is taken. Torch, gloves and forearms
+/// that hide all of it from both eyes keep it out of sight, as they keep its glare from the picture.
+inline SeenArc seenArc(const SceneView& scene, const View& between, std::span<const View> eyes, float length) {
+    SeenArc seen = seenArc(scene, between, length);
+    seen.inSight = seen.inSight && std::any_of(eyes.begin(), eyes.end(),
+                                               [&](const View& eye) { return arcPastHands(scene, eye.eye) > 0; });
     return seen;
 }
 

@@ -36,7 +36,7 @@ class Builder {
     Builder(std::vector<Solid>& solids, const TorchSample& torch, const TorchGeometry& geometry,
             const TorchSurroundings& around, const glm::mat4& toWorld)
         : solids_(solids), torch_(torch), geometry_(geometry), around_(around), toWorld_(toWorld) {
-        towards_ = way_ = handleWay(torch, geometry.bend);
+        towards_ = way_ = handleWay(torch, geometry.bend, around.rightHand);
         if (around.hand) followHand(around.hand->place);
         begin_ = bent() + way_ * lead_;
     }
@@ -88,16 +88,16 @@ class Builder {
         if (around_.hand)
             addGlovedHand(solids_, gripOf(*around_.hand, way_, torch_.tip, 0.5f * width), toWorld_);
         else
-            hand(begin_ + way_ * held, way_, 0.5f * width);
+            hand(begin_ + way_ * held, way_, 0.5f * width, around_.rightHand);
         return end;
     }
 
     /// Adds a hand round a rod there; `way` leads away from the work.
-    void hand(const glm::vec3& middle, const glm::vec3& way, float radius) {
+    void hand(const glm::vec3& middle, const glm::vec3& way, float radius, bool right) {
         const glm::vec3 toWelder(0, 0, 1);
         const glm::vec3 palm = acrossTo(way, around_.up + 0.7f * toWelder, {1, 0, 0});
         const glm::vec3 arm = glm::normalize(way + 0.9f * toWelder + 0.1f * around_.up);
-        addGlovedHand(solids_, {middle, way, palm, arm, radius}, toWorld_);
+        addGlovedHand(solids_, {middle, way, palm, arm, radius, right}, toWorld_);
     }
 
     /// Adds a cable that leaves the handle along `way` and hangs over an edge to its end.
@@ -240,10 +240,10 @@ void addFittings(Builder& add, const TorchSample& torch, const ProcessSettings& 
 
 } // namespace
 
-glm::vec3 handleWay(const TorchSample& torch, float angle) {
+glm::vec3 handleWay(const TorchSample& torch, float angle, bool right) {
     const glm::vec3 back = -torch.axis();
     const glm::vec3 leans(back.x, 0, back.z);
-    const glm::vec3 across = acrossTo(back, leans + glm::vec3(-0.45f, 0, 0.2f), {0, 1, 0});
+    const glm::vec3 across = acrossTo(back, leans + glm::vec3(right ? 0.45f : -0.45f, 0, 0.2f), {0, 1, 0});
     return std::cos(angle) * back + std::sin(angle) * across;
 }
 
@@ -256,7 +256,7 @@ void buildTorchFittings(std::vector<Solid>& solids, const TorchSample& torch, co
     if (!torch.rod || !holdsRod(process)) return;
     constexpr float kHeld = 0.20f; // m behind the rod's tip: far enough that the arc does not burn the glove
     const glm::vec3 back = -torch.rod->axis();
-    add.hand(torch.rod->tip + back * kHeld, back, 0.004f);
+    add.hand(torch.rod->tip + back * kHeld, back, 0.004f, false);
 }
 
 } // namespace meltpool

@@ -16,6 +16,7 @@ struct TorchSurroundings {
     /// Hand through which the handle runs; none: the usual place on this torch. A torch whose neck is longer than the
     /// way to the hand is drawn shorter, or straight.
     std::optional<TrackedHand> hand;
+    bool rightHand = false;   ///< without a `hand`: the handle leads to the welder's right hand, else to the left one
     glm::vec3 cableEnd{0.0f}; ///< m, end of the cable, which hangs down to it from above
     glm::vec3 up{0, 1, 0};    ///< unit vector against gravity
 };
@@ -28,8 +29,8 @@ void buildTorchFittings(std::vector<Solid>& solids, const TorchSample& torch, co
                         const TorchSurroundings& around, const glm::mat4& workpieceToWorld);
 
 /// Returns the direction (unit vector) from the torch's head back along its handle, which is bent off the torch's axis
-/// by `angle` (rad) in its leaning direction, or for an upright torch back against the travel and a little to the
-/// welder.
-glm::vec3 handleWay(const TorchSample& torch, float angle);
+/// by `angle` (rad) in its leaning direction, or for an upright torch to the welder's left, or `right`, and a little to
+/// the welder.
+glm::vec3 handleWay(const TorchSample& torch, float angle, bool right);
 
 } // namespace meltpool

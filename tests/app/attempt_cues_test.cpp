@@ -2,6 +2,7 @@
 #include "app/session/lesson_session.hpp"
 #include "app/session/notices.hpp"
 #include "core/base/text.hpp"
+#include "tests/app/seam_hand.hpp"
 #include "tests/app/small_lessons.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
@@ -19,24 +20,13 @@ class Welder {
         session.begin(controls);
     }
 
-    /// Leads the torch along the seam for `seconds`, at 8 mm/s while the trigger is pulled.
-    void lead(double seconds, float trigger, float height = 3e-3F) {
-        constexpr double kFrame = 1.0 / 45;
-        for (double time = 0; time < seconds; time += kFrame) {
-            session.advance(controls, kFrame, nullptr, [&](int, int steps) {
-                if (trigger > 0) x_ += 8e-3F * static_cast<float>(kFrame / steps);
-                TorchSample torch;
-                torch.tip = {x_, height, 0};
-                torch.orientation = glm::angleAxis(-1.5707963F, glm::vec3(1, 0, 0));
-                torch.trigger = trigger;
-                return torch;
-            });
-        }
+    void lead(double seconds, float trigger, float height = test::SeamHand::kHeight) {
+        hand_.lead(session, controls, seconds, trigger, height);
     }
     /// Starts another attempt at the seam's beginning.
     void again() {
         session.reset(controls);
-        x_ = kBegin;
+        hand_.goBack();
     }
     size_t markers() {
         const SceneView scene = session.picture().scene(nullptr);
@@ -47,8 +37,7 @@ class Welder {
     LessonSession session;
 
   private:
-    static constexpr float kBegin = -0.010F; // m
-    float x_ = kBegin;
+    test::SeamHand hand_;
 };
 
 } // namespace

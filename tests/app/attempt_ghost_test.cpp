@@ -5,6 +5,7 @@
 #include "core/base/text.hpp"
 #include "core/scene/ghost_model.hpp"
 #include "core/training/lesson/recorded_attempt.hpp"
+#include "tests/app/seam_hand.hpp"
 #include "tests/app/small_lessons.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
@@ -31,27 +32,13 @@ class Welder {
         });
     }
 
-    /// Leads the torch along the seam for `seconds`, upright, at 8 mm/s while the trigger is pulled.
-    void lead(double seconds, float trigger) {
-        constexpr double kFrame = 1.0 / 45;
-        for (double time = 0; time < seconds; time += kFrame)
-            frame(kFrame, trigger);
-    }
-    void frame(double seconds, float trigger) {
-        session.advance(controls, seconds, nullptr, [&](int, int steps) {
-            if (trigger > 0) x_ += 8e-3F * static_cast<float>(seconds / steps);
-            TorchSample torch;
-            torch.tip = {x_, 3e-3F, 0};
-            torch.orientation = glm::angleAxis(-1.5707963F, glm::vec3(1, 0, 0));
-            torch.trigger = trigger;
-            return torch;
-        });
-    }
+    void lead(double seconds, float trigger) { hand_.lead(session, controls, seconds, trigger); }
+    void frame(double seconds, float trigger) { hand_.frame(session, controls, seconds, trigger); }
     void begin() { session.begin(controls); }
     /// Starts another attempt at the seam's beginning.
     void again() {
         session.reset(controls);
-        x_ = kBegin;
+        hand_.goBack();
     }
     std::vector<Marker> ghost() {
         const SceneView scene = session.picture().scene(nullptr);
@@ -70,7 +57,7 @@ class Welder {
         return all;
     }
     std::string fault() const { return std::string(session.attempt().ghost().fault()); }
-    double place() const { return static_cast<double>(x_); }
+    double place() const { return static_cast<double>(hand_.place()); }
 
     std::string asked; ///< lesson that the best attempt was requested for
     fs::path best;
@@ -78,8 +65,7 @@ class Welder {
     LessonSession session;
 
   private:
-    static constexpr float kBegin = -0.010F; // m
-    float x_ = kBegin;
+    test::SeamHand hand_;
 };
 
 } // namespace

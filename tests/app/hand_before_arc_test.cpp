@@ -1,4 +1,4 @@
-// A glove before the arc in the headset: neither eye has the arc's veil, whose place is inside the eye.
+// A glove before the arc in the headset: neither eye has the arc's veil, whose place is inside the eye, nor is dazzled.
 #include "app/headset/stereo_view.hpp"
 #include "core/render/picture_target.hpp"
 #include "tests/app/small_lessons.hpp"
@@ -15,7 +15,7 @@ constexpr int kEyeSide = 200; ///< pixels of an eye's picture
 /// A burning TIG arc on a small plate, which two eyes see through a light visor.
 class BurningArc {
   public:
-    BurningArc() : session_(test::shaders(), lesson(), [] { return 0.0; }) {
+    explicit BurningArc(bool eyeAdapts) : session_(test::shaders(), lesson(), [] { return 0.0; }) {
         Controls controls;
         session_.begin(controls);
         TorchSample torch;
@@ -25,7 +25,7 @@ class BurningArc {
         while (session_.run().steps() < 20)
             session_.advance(controls, 1.0 / 200, nullptr, [&](int, int) { return torch; });
         REQUIRE(session_.run().arc().burns());
-        parameters_.adaptation = false;
+        parameters_.adaptation = eyeAdapts;
         parameters_.visorShade = 5; // light for an arc: its veil is seen far from it
     }
 
@@ -51,8 +51,11 @@ class BurningArc {
                 {-0.6f, 0.6f, 0.5f, -0.5f}};
         const WorkpiecePlace place(parameters_.tableHeight, 1, session_.picture().bottom());
         stereo.draw(session_, session_.picture().scene(nullptr), place, Workshop(), eyes, nullptr);
+        dazzled_ = !stereo.dazzled().empty();
         return both.read();
     }
+    /// Returns true if a second of the last picture dazzled the eyes.
+    bool dazzled() const { return dazzled_; }
 
   private:
     static Lesson lesson() {
@@ -63,6 +66,7 @@ class BurningArc {
 
     LessonSession session_;
     HeadsetParameters parameters_;
+    bool dazzled_ = false;
 };
 
 /// Returns the mean green of an eye's picture 10 to 20 degrees beside the arc, where no hand is.
@@ -82,7 +86,7 @@ void keepPicture(const Image& image, const std::string& name) {
 } // namespace
 
 TEST_CASE("a glove before the arc takes the veil from both eyes", "[app]") {
-    BurningArc arc;
+    BurningArc arc(false);
     const Image aside = arc.seenWithHand({-0.4f, 1.0f, 0.2f}), before = arc.seenWithHand({0, 1.0f, 0.06f});
     keepPicture(aside, "hand-aside.png");
     keepPicture(before, "hand-before.png");
@@ -90,4 +94,14 @@ TEST_CASE("a glove before the arc takes the veil from both eyes", "[app]") {
         INFO("eye " << eye);
         CHECK(besideArc(before, eye) < besideArc(aside, eye) - 10);
     }
+}
+
+TEST_CASE("a glove before the arc keeps it from dazzling; one that leaves it to one eye does not", "[app]") {
+    BurningArc arc(true);
+    arc.seenWithHand({-0.4f, 1.0f, 0.2f});
+    CHECK(arc.dazzled());
+    arc.seenWithHand({0, 1.0f, 0.06f});
+    CHECK_FALSE(arc.dazzled());
+    arc.seenWithHand({-0.4f, 1.0f, 0.2f});
+    CHECK(arc.dazzled());
 }

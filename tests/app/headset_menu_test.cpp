@@ -1,6 +1,7 @@
 // The pages of the headset's panel: order and width of the buttons, and tooltips that leave the next rows free.
 #include "app/headset/headset_menu.hpp"
 #include "app/headset/headset_parameters.hpp"
+#include "tests/app/seam_hand.hpp"
 #include "tests/app/small_lessons.hpp"
 #include "tests/support/catch.hpp"
 
@@ -57,31 +58,18 @@ class PanelPage {
     /// Welds the seam, and waits for the judgement.
     void weld() {
         session.begin(controls);
-        lead(2, 1);
-        lead(1.5, 0);
+        hand_.lead(session, controls, 2, 1);
+        hand_.lead(session, controls, 1.5, 0);
         REQUIRE(session.attempt().judged());
     }
 
   private:
-    void lead(double seconds, float trigger) {
-        constexpr double kStride = 1.0 / 45;
-        for (double time = 0; time < seconds; time += kStride)
-            session.advance(controls, kStride, nullptr, [&](int, int steps) {
-                if (trigger > 0) x_ += 8e-3f * static_cast<float>(kStride / steps);
-                TorchSample torch;
-                torch.tip = {x_, 3e-3f, 0};
-                torch.orientation = glm::angleAxis(-1.5707963f, glm::vec3(1, 0, 0));
-                torch.trigger = trigger;
-                return torch;
-            });
-    }
-
     ShownPanel wide_{{3000, 1100, 2}};
     HeadsetParameters parameters_;
     ParameterSection section_{"headset", describe(parameters_)};
     Home home_{test::shippedLessons(), test::scratchFolder("headset-menu") / "best-scores.toml"};
     LessonFigures figures_;
-    float x_ = -0.010f; // m
+    test::SeamHand hand_;
 };
 
 /// Returns the number of pixels that differ clearly in these rows of two pictures.

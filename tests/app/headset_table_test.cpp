@@ -10,6 +10,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/matrix.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <vector>
 
@@ -46,6 +47,10 @@ float toPiece(std::span<const glm::vec3> corners, const Workpiece& piece, const 
         nearest = std::min(nearest, glm::distance(at, glm::clamp(at, piece.bodyLow, piece.bodyHigh)));
     }
     return nearest;
+}
+
+glm::vec3 eyesOver(const HeadsetParameters& parameters) {
+    return {0, parameters.tableHeight + Workshop::kDrop, Workshop::kReach};
 }
 
 /// Returns the number of places of the panel that are inside a solid on the table.
@@ -105,23 +110,80 @@ TEST_CASE("the panel is never inside the machine, which is on the side of the to
     for (const xr::Hand hand : {xr::Hand::right, xr::Hand::left})
         for (const bool aside : {false, true}) {
             HeadsetParameters parameters;
-            parameters.hand = hand == xr::Hand::right ? HeadsetParameters::kRight : HeadsetParameters::kLeft;
             ProcessSettings process;
             process.choose<Gmaw>();
             WorkshopScene scene;
             HandsView hands;
             hands.process = &process;
-            scene.build(parameters, hands);
             PanelPointer panel(parameters);
             panel.show();
             for (int i = 0; i < 3; ++i)
-                panel.move(aside, glm::vec3(0, parameters.tableHeight + Workshop::kDrop, Workshop::kReach), hand, 10);
+                panel.move(aside, eyesOver(parameters), hand, 10);
+            hands.machineRight = panel.side() < 0;
+            CHECK(hands.machineRight == (hand == xr::Hand::right));
+            scene.build(parameters, hands);
             INFO((hand == xr::Hand::right ? "right" : "left") << (aside ? ", aside" : ", in front"));
             CHECK(insideSolids(panel.pose(), scene.furniture(), parameters.tableHeight) == 0);
             // On the side of the machine this panel would be inside it.
             if (!aside) continue;
-            parameters.hand = HeadsetParameters::kRight + HeadsetParameters::kLeft - parameters.hand;
+            hands.machineRight = !hands.machineRight;
             scene.build(parameters, hands);
             CHECK(insideSolids(panel.pose(), scene.furniture(), parameters.tableHeight) > 20);
         }
+}
+
+TEST_CASE("the panel and the machine change sides with the torch's hand without meeting", "[app]") {
+    const HeadsetParameters parameters;
+    ProcessSettings process;
+    process.choose<Gmaw>();
+    WorkshopScene scene;
+    HandsView hands;
+    hands.process = &process;
+    PanelPointer panel(parameters);
+    panel.show();
+    const auto pass = [&](xr::Hand hand, int frames) {
+        for (int frame = 0; frame < frames; ++frame) {
+            panel.move(true, eyesOver(parameters), hand, 1.0 / 60);
+            hands.machineRight = panel.side() < 0;
+            scene.build(parameters, hands);
+            INFO("frame " << frame << ", panel at " << panel.pose().position.x << " m");
+            CHECK(insideSolids(panel.pose(), scene.furniture(), parameters.tableHeight) == 0);
+        }
+    };
+    pass(xr::Hand::right, 60);
+    CHECK(panel.pose().position.x < -0.4f);
+    pass(xr::Hand::left, 60);
+    CHECK(panel.pose().position.x > 0.4f);
+    CHECK_FALSE(hands.machineRight);
+}
+
+TEST_CASE("handle and cable of a demonstration's torch lead to the side of the person's hand", "[app]") {
+    HeadsetParameters parameters;
+    ProcessSettings process;
+    process.kind = GENERATE(range(0, int(AllProcesses::kCount)));
+    const bool right = GENERATE(true, false);
+    const float zoom = GENERATE(1.0f, 3.0f);
+    INFO(AllProcesses::kNames[static_cast<size_t>(process.kind)] << (right ? ", right" : ", left") << ", " << zoom);
+    const WorkpiecePlace place(parameters.tableHeight, zoom, 0);
+    TorchSample torch;
+    torch.tip = {0, 3e-3f, 0};
+    torch.orientation = glm::angleAxis(-1.5707963f, glm::vec3(1, 0, 0));
+    WorkshopScene scene;
+    HandsView hands;
+    hands.process = &process;
+    hands.demonstrated = &torch;
+    hands.workpieceToWorkshop = place.modelToWorkshop(1);
+    hands.rightHand = right;
+    scene.build(parameters, hands);
+    const float side = right ? 1.0f : -1.0f, tip = place.toWorkshop(torch.tip).y;
+    float toSide = 0, toOther = 0, lowest = 1e9f;
+    for (const Solid& solid : scene.fittings()) {
+        const glm::vec3 middle(solid.toWorld[3]);
+        toSide = std::max(toSide, side * middle.x);
+        toOther = std::max(toOther, -side * middle.x);
+        lowest = std::min(lowest, middle.y);
+    }
+    CHECK(toSide > 0.6f); // over the table's edge
+    CHECK(toOther < 0.1f * zoom);
+    CHECK(lowest < tip - 0.15f); // and down
 }

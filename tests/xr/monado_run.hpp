@@ -26,12 +26,6 @@ GLFWwindow* hiddenWindow();
 /// Takes a picture of the X display, with both eyes as the compositor shows them.
 Image screenshot();
 
-/// Moves the program's window of that title to the screen's lower right corner, before all others. Covered parts appear
-/// only after new frames. Throws RuntimeFault if there is none.
-void showWindow(const std::string& title);
-/// Takes a picture of the window of that title.
-Image windowPicture(const std::string& title);
-
 /// Cuts out the compositor's picture of an eye (0 left, 1 right) on that screen.
 Image shownEye(const Image& screen, int eye);
 

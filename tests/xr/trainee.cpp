@@ -4,6 +4,7 @@
 #include "core/base/text.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/places.hpp"
+#include "tests/xr/desk_window.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -3,6 +3,7 @@
 #include "core/base/text.hpp"
 #include "core/weld/torch/torch_path.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/xr/desk_window.hpp"
 #include "tests/xr/trainee.hpp"
 #include "xr/pivot.hpp"
 
