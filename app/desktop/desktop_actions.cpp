@@ -47,7 +47,7 @@ std::span<const DesktopAction> desktopActions() {
          [](App& app) { app.lessons_.writePage(app.driver_, app.clock_.now()); }},
         {"pause", Request::pause, {}, always, [](App& app) { app.togglePause(); }},
         {"try the remedy", Request::tryCure, {}, always, [](App& app) { app.tryCure(); }},
-        {"redo", Request::redo, Key::backspace, always, [](App& app) { app.session_.redo(app.controls_); }},
+        {"redo", Request::redo, Key::backspace, always, [](App& app) { app.redo(); }},
         {"hidden cues", Request::none, Key::k, always, [](App& app) { app.session_.attempt().cues().toggleFaded(); }},
         {"cut", Request::cut, Key::x, always, [](App& app) { app.cut(); }},
         {"next person", Request::none, Key::n, mayAskName, [](App& app) { app.home_.who.ask(); }},
@@ -137,6 +137,14 @@ void DesktopApp::reset() {
     else
         session_.reset(controls_);
     controls_.takeBackMouse();
+}
+
+/// Goes back in the attempt; the person reads that one which passed stays as it is.
+void DesktopApp::redo() {
+    const int attempt = session_.log().records().attempt();
+    session_.redo(controls_);
+    if (session_.log().records().attempt() != attempt)
+        messages_.note(phrase("desk.message.redone_apart"), clock_.now());
 }
 
 void DesktopApp::leave() {

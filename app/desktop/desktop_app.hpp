@@ -67,6 +67,7 @@ class DesktopApp {
     void replay();
     void weldBeside();
     void reset();
+    void redo();
     void leave();
     void judge();
     void cut();
