@@ -1,6 +1,7 @@
 #include "app/desktop/desktop_actions.hpp"
 
 #include "app/desktop/desktop_app.hpp"
+#include "core/base/words.hpp"
 
 namespace meltpool {
 
@@ -87,6 +88,10 @@ void DesktopApp::perform(const DesktopAction& action, Seat seat) {
                          (action.request == MenuRequest::judge && !session_.judges()) ||
                          (action.request == MenuRequest::reset && !session_.running());
     if (!nothing) seats_.note(seat, action.request, clock_.now());
+    // A redone weld goes on; every other end of an attempt keeps its score.
+    if (endsAttempt(action.request) && action.request != MenuRequest::redo && finishJudging() &&
+        action.request == MenuRequest::reset)
+        return messages_.note(phrase("desk.message.judged_first"), clock_.now());
     action.run(*this);
 }
 

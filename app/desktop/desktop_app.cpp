@@ -123,6 +123,7 @@ void DesktopApp::takeUnits() {
 }
 
 bool DesktopApp::finish() {
+    finishJudging();
     session_.end("the program ended");
     session_.log().recordings().finish();
     const glm::ivec2 size = window_.normalSize();
@@ -320,6 +321,15 @@ void DesktopApp::takeJudgement() {
                            ? static_cast<double>(headset_.device()->zoom())
                            : 1,
                        clock_.now());
+}
+
+/// Judges a finished weld that still waits for its judgement, and shows the result; false if none waits.
+bool DesktopApp::finishJudging() {
+    if (!session_.judges() || !session_.attempt().judging().waits(*session_.run().trainer())) return false;
+    session_.judge();
+    const bool judged = session_.attempt().judged().has_value();
+    takeJudgement();
+    return judged;
 }
 
 void DesktopApp::preparePicture(double seconds) {
