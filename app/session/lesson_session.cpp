@@ -92,7 +92,7 @@ void LessonSession::beginOver(Activity& activity) {
 void LessonSession::beginAttempt() {
     picture_.cut().close();
     run_.forgetSurfaceDistance();
-    paused_ = pausing_ = false;
+    paused_ = pausing_ = swings_ = false;
     question_ = {};
     beginOver(attempt());
     askAboutRecord(attempt().begin(*run_.trainer(), values_.forScore()));

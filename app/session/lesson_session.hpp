@@ -128,6 +128,7 @@ class LessonSession {
     void settleTrial(int answer, Controls& controls);
     bool waits(const Controls& controls);
     TorchSample nextTorch(int step, int steps);
+    void noteSwings();
     void moveCut(const Controls& controls);
     void closeCut(Controls& controls);
 
@@ -140,6 +141,8 @@ class LessonSession {
     HelpSections help_;
     Question question_;
     bool paused_ = false;
+    size_t judgements_ = 0; ///< judgements of the last frame
+    bool swings_ = false;   ///< the desk's torch swings by itself, as the record knows
     bool pausing_ = false; ///< the pause begins once the hand's arc is out
     // controls of the frame whose steps are made
     const Controls* controls_ = nullptr;
