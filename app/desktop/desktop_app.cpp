@@ -364,7 +364,7 @@ void DesktopApp::drawPicture() {
 MenuRequest DesktopApp::drawMenus() {
     return menus_.draw({session_, home_, controls_, messages_, figures_, profiler_, pacer_.frameSeconds() * 1000,
                         driver_, sections_.forViewMenu(headsetSection()), seats_.question(Seat::desk),
-                        headset_.inFrame() != nullptr});
+                        headset_.inFrame() != nullptr, clock_.now()});
 }
 
 /// Reports letters that no font here has. They come in names of lessons and files that people bring.
