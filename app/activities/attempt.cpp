@@ -2,6 +2,16 @@
 
 namespace meltpool {
 
+namespace {
+
+/// True if the weld is accepted, or scored in a lesson without limits of acceptance.
+bool passed(const Judgement& judgement) {
+    if (judgement.verdict) return judgement.verdict->accepted;
+    return judgement.score && judgement.score->scored;
+}
+
+} // namespace
+
 void Attempt::open(const Lesson& lesson) {
     cues_.open(lesson);
     ghost_.open(lesson);
@@ -67,8 +77,14 @@ void Attempt::judge(const Trainer& trainer) {
         cues_.practised(*judged->judgement.score);
 }
 
-bool Attempt::beginFromCheckpoint(Trainer& trainer) {
-    if (!log_.redo().back(trainer)) return false;
+bool Attempt::beginFromCheckpoint(Trainer& trainer, std::string& fault) {
+    const auto moment = log_.redo().target(trainer);
+    if (!moment) return false;
+    if (log_.redo().redone() == 0 && judge_.judged() && passed(judge_.judged()->judgement)) {
+        tellJudgement();
+        fault = log_.fork(trainer);
+    }
+    log_.redo().back(trainer, *moment);
     judge_.forget();
     return true;
 }

@@ -26,9 +26,11 @@ class Attempt final : public Activity {
     /// Begins over the metal at its start. An attempt for score is welded once, from its beginning to its end. Returns
     /// the reason why its record cannot be written; empty: it is written, or none is wanted.
     std::string begin(Trainer& trainer, bool forScore);
-    /// Begins again from an earlier checkpoint, see Redo::back(): files, cues and ghost go on, the judgement is
-    /// dropped. False if there is no such checkpoint. Waits for the GPU.
-    bool beginFromCheckpoint(Trainer& trainer);
+    /// Begins again from an earlier checkpoint, see Redo::target(): files, cues and ghost go on, the judgement is
+    /// dropped. A weld that passed stays an attempt of its own, and its files end: what is welded from here on is
+    /// another attempt with the same beginning. `fault` receives the reason why its record cannot be written. False if
+    /// there is no such checkpoint. Waits for the GPU.
+    bool beginFromCheckpoint(Trainer& trainer, std::string& fault);
     /// Ends the attempt, if there is one, and writes its judgement to its recording.
     void end();
     /// Resets the metal to its start for another attempt, and writes the judgement to the recording of this one.

@@ -20,10 +20,14 @@ bool AttemptJudge::update(const Trainer& trainer) {
         }
         return false;
     }
-    const bool asked = trainer.lesson().technique || trainer.lesson().acceptance;
-    if (!due_ || !asked || to_ - from_ < kLeastWeld || trainer.time() - lastBurned_ < kFinished) return false;
+    if (!waits(trainer) || trainer.time() - lastBurned_ < kFinished) return false;
     due_ = false;
     return true;
+}
+
+bool AttemptJudge::waits(const Trainer& trainer) const {
+    const bool asked = trainer.lesson().technique || trainer.lesson().acceptance;
+    return due_ && asked && to_ - from_ >= kLeastWeld && !trainer.arc().burns();
 }
 
 void AttemptJudge::judge(const Trainer& trainer) {

@@ -24,11 +24,11 @@ std::filesystem::path AttemptRecords::wholeFile() const {
     return !lost_ && !newest_.empty() && isPlainFile(newest_) ? newest_ : std::filesystem::path();
 }
 
-void AttemptRecords::begin(Trainer& trainer) {
+void AttemptRecords::begin(Trainer& trainer, const std::filesystem::path& from) {
     ++attempt_;
     if (!wanted()) return;
     const std::filesystem::path name = freeName();
-    trainer.record(name, {attempt_, program_, driver_, true, false, welder_.person.name, welder_.person.id});
+    trainer.record(name, {attempt_, program_, driver_, true, false, welder_.person.name, welder_.person.id, from});
     newest_ = name;
 }
 
@@ -43,6 +43,21 @@ std::string AttemptLog::begin(Trainer& trainer, bool goesBack) {
     try {
         records_.begin(trainer);
     } catch (const std::runtime_error& fault) { // no such place, or no room even for its head
+        return fault.what();
+    }
+    return {};
+}
+
+std::string AttemptLog::fork(Trainer& trainer) {
+    // A record on a device or a pipe cannot be read again: it goes on with the new rows alone.
+    const std::filesystem::path before = trainer.writesCsvRecord() ? records_.wholeFile() : std::filesystem::path();
+    trainer.stopRecord("redone in another attempt");
+    records_.check(trainer);
+    recordings_.fork(trainer, records_.attempt() + 1);
+    redo_.recordInto(recordings_.writer());
+    try {
+        records_.begin(trainer, before);
+    } catch (const std::runtime_error& fault) {
         return fault.what();
     }
     return {};

@@ -22,8 +22,9 @@ class AttemptRecords {
     const AttemptOwner& welder() const { return welder_; }
     bool wanted() const { return !file_.empty(); }
 
-    /// Counts another attempt and begins its record, if one is wanted. Throws InputError when it cannot be written.
-    void begin(Trainer& trainer);
+    /// Counts another attempt and begins its record, if one is wanted, with the rows of the record `from`, if that is
+    /// not empty. Throws InputError when it cannot be written.
+    void begin(Trainer& trainer, const std::filesystem::path& from = {});
     /// Continues the attempt without a record, as the person agreed.
     void renounce() { lost_ = true; }
     /// Checks if the running record was cut short.
@@ -66,6 +67,9 @@ class AttemptLog {
     /// Begins an attempt. `goesBack`: it may return to checkpoints. Returns the reason why its record cannot be
     /// written; empty: it is written, or none is wanted.
     std::string begin(Trainer& trainer, bool goesBack);
+    /// Ends the files of the attempt, and goes on in others, of another attempt with the same beginning. Returns as
+    /// begin() does. Waits for GPU and disk.
+    std::string fork(Trainer& trainer);
     /// Takes a checkpoint when one is due; call it after the steps of a frame. `speed`: of making steps alone, over the
     /// clock. Never waits.
     void keepCheckpoint(const Trainer& trainer, double speed);

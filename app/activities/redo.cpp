@@ -51,17 +51,24 @@ void Redo::update(const Trainer& trainer, double speed) {
     if (!first_) first_ = trainer.time();
 }
 
-bool Redo::back(Trainer& trainer) {
+std::optional<Checkpoint> Redo::target(const Trainer& trainer) {
     const auto place = std::exchange(place_, std::nullopt);
-    if (!can()) return false;
+    if (!can()) return std::nullopt;
     const auto fault = place ? firstTimeAt(*trainer.technique(), *place) : std::nullopt;
     const double wanted = fault ? *fault - kRunUp : trainer.time() - kBack;
-    const auto moment = checkpoints_.before(std::max(wanted, *first_)); // not before the first checkpoint
-    if (!moment || moment->step >= trainer.steps()) return false;
-    trainer.redo(*moment);
-    checkpoints_.branch(moment->step);
+    auto moment = checkpoints_.before(std::max(wanted, *first_)); // not before the first checkpoint
+    if (moment && moment->step >= trainer.steps()) moment.reset();
+    return moment;
+}
+
+void Redo::recordInto(std::shared_ptr<RecordingWriter> recording) {
+    checkpoints_.giveTo(takerFor(std::move(recording)));
+}
+
+void Redo::back(Trainer& trainer, const Checkpoint& moment) {
+    trainer.redo(moment);
+    checkpoints_.branch(moment.step);
     ++redone_;
-    return true;
 }
 
 } // namespace meltpool

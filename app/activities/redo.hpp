@@ -31,9 +31,12 @@ class Redo {
     bool can() { return goes_ && first_ && checkpoints_.count() > 0; }
     /// True if the attempt may go back at all.
     bool goes() const { return goes_; }
-    /// Takes the metal back to before the chosen fault, or by kBack, and notes it in the record; false if no checkpoint
-    /// is so early. Waits for the GPU.
-    bool back(Trainer& trainer);
+    /// Checkpoint before the chosen fault, or kBack ago; nothing if none is so early. Forgets the choice.
+    std::optional<Checkpoint> target(const Trainer& trainer);
+    /// Writes the checkpoints from the next one on into another recording.
+    void recordInto(std::shared_ptr<RecordingWriter> recording);
+    /// Takes the metal back to this checkpoint and notes it in the record. Waits for the GPU.
+    void back(Trainer& trainer, const Checkpoint& moment);
 
     /// Count of times this attempt went back: it is practice from the first time on, and its score does not count.
     size_t redone() const { return redone_; }

@@ -106,6 +106,7 @@ SpeedTrial::Verdict SpeedTrial::count(double real, double simulated) {
         return Verdict::fastEnough;
     }
     ++current_;
+    if (fitting() != nullptr) current_ = offers_.size(); // the others would change more than they must
     waited_ = real_ = simulated_ = 0;
     return measuring() ? Verdict::another : Verdict::tooSlow;
 }
@@ -115,15 +116,19 @@ SpeedTrial::Verdict SpeedTrial::skip() {
     return measuring() ? Verdict::another : Verdict::tooSlow;
 }
 
+const SpeedOffer* SpeedTrial::fitting() const {
+    const auto found = std::find_if(offers_.begin(), offers_.end(), [](const SpeedOffer& offer) {
+        return !offer.label.empty() && offer.ratio >= kLeastSpeedForScore;
+    });
+    return found == offers_.end() ? nullptr : &*found;
+}
+
 Question SpeedTrial::question() const {
+    const SpeedOffer* const fits = fitting();
     Question question;
-    question.text =
-        phrase("trial.question", {{"speed", percent(offers_.front().ratio)}, {"needed", percent(kLeastSpeedForScore)}});
-    for (size_t i = 1; i < offers_.size(); ++i) {
-        const bool full = offers_[i].ratio >= kLeastSpeedForScore;
-        question.answers.push_back(phrase(full ? "trial.answer_full" : "trial.answer",
-                                          {{"change", offers_[i].label}, {"speed", percent(offers_[i].ratio)}}));
-    }
+    question.text = phrase(fits != nullptr ? "trial.question" : "trial.no_test",
+                           {{"speed", percent(offers_.front().ratio)}, {"change", fits ? fits->label : ""}});
+    if (fits != nullptr) question.answers.push_back(phrase("trial.answer"));
     question.answers.push_back(phrase("trial.practise"));
     question.answers.push_back(phrase("trial.start_menu"));
     return question;

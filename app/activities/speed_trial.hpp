@@ -20,7 +20,7 @@ struct SpeedOffer {
 };
 
 /// Speed trial. It runs the demonstration with all the program's work of a frame, for a second or two: first the lesson
-/// with its current values, and if that is too slow each offer in turn.
+/// with its current values, and if that is too slow one offer after the other until one keeps up.
 class SpeedTrial final : public Activity {
   public:
     static constexpr double kSettling = 0.5;   ///< s of real time at the start that do not count
@@ -58,9 +58,10 @@ class SpeedTrial final : public Activity {
     /// Drops the current offer, which does not fit the lesson; returns as count() does.
     Verdict skip();
 
-    /// Question with the result: an answer per offer in their order, then "practise", then "start menu".
+    /// First offer at which the metal keeps up with the clock; null: none of those measured.
+    const SpeedOffer* fitting() const;
+    /// Question with the result: "start with it" if an offer is fitting(), then "practise", then "start menu".
     Question question() const;
-    /// Offers of the answers.
     const std::vector<SpeedOffer>& offers() const { return offers_; }
 
   private:

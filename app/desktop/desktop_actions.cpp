@@ -1,6 +1,7 @@
 #include "app/desktop/desktop_actions.hpp"
 
 #include "app/desktop/desktop_app.hpp"
+#include "core/base/words.hpp"
 
 namespace meltpool {
 
@@ -47,7 +48,7 @@ std::span<const DesktopAction> desktopActions() {
          [](App& app) { app.lessons_.writePage(app.driver_, app.clock_.now()); }},
         {"pause", Request::pause, {}, always, [](App& app) { app.togglePause(); }},
         {"try the remedy", Request::tryCure, {}, always, [](App& app) { app.tryCure(); }},
-        {"redo", Request::redo, Key::backspace, always, [](App& app) { app.session_.redo(app.controls_); }},
+        {"redo", Request::redo, Key::backspace, always, [](App& app) { app.redo(); }},
         {"hidden cues", Request::none, Key::k, always, [](App& app) { app.session_.attempt().cues().toggleFaded(); }},
         {"cut", Request::cut, Key::x, always, [](App& app) { app.cut(); }},
         {"next person", Request::none, Key::n, mayAskName, [](App& app) { app.home_.who.ask(); }},
@@ -87,6 +88,10 @@ void DesktopApp::perform(const DesktopAction& action, Seat seat) {
                          (action.request == MenuRequest::judge && !session_.judges()) ||
                          (action.request == MenuRequest::reset && !session_.running());
     if (!nothing) seats_.note(seat, action.request, clock_.now());
+    // A redone weld goes on; every other end of an attempt keeps its score.
+    if (endsAttempt(action.request) && action.request != MenuRequest::redo && finishJudging() &&
+        action.request == MenuRequest::reset)
+        return messages_.note(phrase("desk.message.judged_first"), clock_.now());
     action.run(*this);
 }
 
@@ -137,6 +142,14 @@ void DesktopApp::reset() {
     else
         session_.reset(controls_);
     controls_.takeBackMouse();
+}
+
+/// Goes back in the attempt; the person reads that one which passed stays as it is.
+void DesktopApp::redo() {
+    const int attempt = session_.log().records().attempt();
+    session_.redo(controls_);
+    if (session_.log().records().attempt() != attempt)
+        messages_.note(phrase("desk.message.redone_apart"), clock_.now());
 }
 
 void DesktopApp::leave() {

@@ -123,6 +123,7 @@ void DesktopApp::takeUnits() {
 }
 
 bool DesktopApp::finish() {
+    finishJudging();
     session_.end("the program ended");
     session_.log().recordings().finish();
     const glm::ivec2 size = window_.normalSize();
@@ -322,6 +323,15 @@ void DesktopApp::takeJudgement() {
                        clock_.now());
 }
 
+/// Judges a finished weld that still waits for its judgement, and shows the result; false if none waits.
+bool DesktopApp::finishJudging() {
+    if (!session_.judges() || !session_.attempt().judging().waits(*session_.run().trainer())) return false;
+    session_.judge();
+    const bool judged = session_.attempt().judged().has_value();
+    takeJudgement();
+    return judged;
+}
+
 void DesktopApp::preparePicture(double seconds) {
     if (!session_.running()) return;
     const glm::ivec2 pixels = window_.pixels();
@@ -354,7 +364,7 @@ void DesktopApp::drawPicture() {
 MenuRequest DesktopApp::drawMenus() {
     return menus_.draw({session_, home_, controls_, messages_, figures_, profiler_, pacer_.frameSeconds() * 1000,
                         driver_, sections_.forViewMenu(headsetSection()), seats_.question(Seat::desk),
-                        headset_.inFrame() != nullptr});
+                        headset_.inFrame() != nullptr, clock_.now()});
 }
 
 /// Reports letters that no font here has. They come in names of lessons and files that people bring.

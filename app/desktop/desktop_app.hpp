@@ -67,6 +67,7 @@ class DesktopApp {
     void replay();
     void weldBeside();
     void reset();
+    void redo();
     void leave();
     void judge();
     void cut();
@@ -86,6 +87,7 @@ class DesktopApp {
     void goOnByKeys(const InputFrame& input);
     void showAll();
     void takeJudgement();
+    bool finishJudging();
     void beginHeadset(double seconds);
     void drawHeadset(double seconds);
     void simulate(const InputFrame& input, double seconds);

@@ -172,6 +172,7 @@ void DesktopLessons::keepScore(double zoom, double now) {
     score->zoom = zoom;
     score->forScore = session_.sections().attempt.forScore;
     score->guided = session_.deskTorch().guided();
+    score->swung = session_.deskTorch().weave().swung();
     score->changed = session_.values().workpieceChanged() || session_.values().settingsChanged();
     score->chosen = session_.values().chosenText();
     score->cues = session_.attempt().cues().used();

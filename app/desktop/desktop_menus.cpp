@@ -1,5 +1,7 @@
 #include "app/desktop/desktop_menus.hpp"
 
+#include "core/base/words.hpp"
+
 #include <glm/common.hpp>
 
 #include <algorithm>
@@ -93,6 +95,7 @@ MenuRequest DesktopMenus::drawPanels(const DesktopMenuContent& content) {
     ui::cueNames(context, content.session.picture().namedCues());
     ui::temperatureScale(context, lesson.look.colours, content.session.run().scene()->view().temperature,
                          coveredLeft());
+    keepMachine(content);
     panels.result = panels.result && content.session.judges();
     if (!inLesson_ && coveredRight() > kMostCovered * static_cast<float>(window_.size().x)) panels.simulation = false;
     closeOverlapping();
@@ -107,6 +110,20 @@ MenuRequest DesktopMenus::drawPanels(const DesktopMenuContent& content) {
     if (panels.timings)
         ui::timingsPanel(context, content.profiler, content.figures, content.frameMs, content.driver, panels.view);
     return request;
+}
+
+/// Answers a key or button of the machine panel while the panel has nothing to set.
+void DesktopMenus::keepMachine(const DesktopMenuContent& content) {
+    if (inLesson_ && machineWaits_ && panels.simulation != machineBefore_) {
+        panels.simulation = machineBefore_;
+        const bool cut = content.session.picture().cut().shown();
+        ShortText key(content.session.activities().at(content.session.activities().replay)
+                          ? "desk.message.machine_replay"
+                      : cut ? "desk.message.machine_cut"
+                            : "desk.message.machine_no_room");
+        content.messages.note(phrase(key, {{"key", interface_.context().key(Key::x)}}), content.now, "machine");
+    }
+    machineBefore_ = panels.simulation;
 }
 
 void DesktopMenus::focusNext() {

@@ -27,6 +27,7 @@ struct DesktopMenuContent {
     std::span<const ParameterSection* const> viewSections; ///< sections of the view menu
     Question& seatQuestion;                                ///< question before an action ends the trainee's weld
     bool headset = false;                                  ///< a headset is in use
+    double now = 0;                                        ///< s on the program's clock
 };
 
 class DesktopMenus {
@@ -58,6 +59,7 @@ class DesktopMenus {
 
   private:
     MenuRequest drawPanels(const DesktopMenuContent& content);
+    void keepMachine(const DesktopMenuContent& content);
     void closeOverlapping();
     float coveredLeft();
     float coveredRight();
@@ -68,6 +70,7 @@ class DesktopMenus {
     /// The machine panel is not drawn: its values would change nothing (weld cut open, attempt replayed), or it has no
     /// room.
     bool machineWaits_ = false;
+    bool machineBefore_ = false;   ///< the machine panel was open in the last frame
     bool replays_ = false;         ///< the replay's panel is shown
     bool focused_ = false;         ///< keys choose controls of the running lesson
     bool occupied_ = false;        ///< a control is being changed or a list is open, in the last frame

@@ -13,13 +13,13 @@ namespace meltpool {
 
 namespace {
 
-/// Copies values between two sections of one lesson.
+/// Copies values between two sections of one lesson. A test is chosen for each attempt.
 void copyValues(LessonSections& from, LessonSections& to) {
     const std::vector<ParameterSection*> sources = from.all();
     const std::vector<ParameterSection*> targets = to.all();
     for (size_t i = 0; i < sources.size(); ++i)
         for (const Parameter& p : sources[i]->parameters)
-            setParameter(targets[i]->parameters, p.key, parameterText(p), sources[i]->name);
+            if (p.key != "for_score") setParameter(targets[i]->parameters, p.key, parameterText(p), sources[i]->name);
 }
 
 constexpr std::array<std::string_view, 2> kUnitChoices{"millimetres", "inches"}; // in the order of UnitSystem

@@ -45,6 +45,11 @@ std::string_view topicOf(Seat seat) {
 
 } // namespace
 
+bool endsAttempt(MenuRequest request) {
+    const ToldRequest* told = toldOf(request);
+    return told != nullptr && told->ends;
+}
+
 void SeatRequests::update(bool inUse, bool deskLeads, double now) {
     const size_t steps = session_.run().steps();
     if (!session_.running() || (steps < steps_ && session_.log().redo().redone() == 0)) welded_ = false;

@@ -15,6 +15,9 @@ namespace meltpool {
 /// Place from which a person asks for something.
 enum class Seat { desk, headset };
 
+/// True if the request ends the running attempt, or a part of it.
+bool endsAttempt(MenuRequest request);
+
 class SeatRequests {
   public:
     /// Both must outlive this.

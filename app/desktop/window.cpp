@@ -29,6 +29,7 @@ constexpr std::array<std::pair<int, Key>, static_cast<size_t>(Key::count) + 1> k
     {GLFW_KEY_D, Key::d},
     {GLFW_KEY_E, Key::e},
     {GLFW_KEY_F, Key::f},
+    {GLFW_KEY_G, Key::g},
     {GLFW_KEY_H, Key::h},
     {GLFW_KEY_J, Key::j},
     {GLFW_KEY_K, Key::k},

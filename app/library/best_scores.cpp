@@ -72,6 +72,7 @@ BestScore readBest(TomlTable& table) {
     best.zoom = table.number("zoom", kZoom, 1);
     best.forScore = table.flag("for_score", false);
     best.guided = table.flag("guided", false);
+    best.swung = table.flag("swung", false);
     best.changed = table.flag("changed", false);
     best.realTime = table.number("real_time", kRealTime, 1);
     best.cues = readCues(table);
@@ -97,9 +98,10 @@ std::string flag(bool value) {
 std::string entriesOf(const BestScore& best) {
     return "score = " + formatNumber(best.score) + "\naccepted = " + flag(best.accepted) +
            "\nzoom = " + formatNumber(best.zoom) + "\nfor_score = " + flag(best.forScore) +
-           "\nguided = " + flag(best.guided) + "\nchanged = " + flag(best.changed) +
-           "\nreal_time = " + formatNumber(static_cast<float>(best.realTime)) + "\ncues = " + cueList(best.cues) +
-           "\n" + (best.ghost.empty() ? "" : "ghost = " + tomlText(best.ghost) + "\n") +
+           "\nguided = " + flag(best.guided) + (best.swung ? "\nswung = true" : "") +
+           "\nchanged = " + flag(best.changed) + "\nreal_time = " + formatNumber(static_cast<float>(best.realTime)) +
+           "\ncues = " + cueList(best.cues) + "\n" +
+           (best.ghost.empty() ? "" : "ghost = " + tomlText(best.ghost) + "\n") +
            (best.chosen.empty() ? "" : "chosen = " + tomlText(best.chosen) + "\n");
 }
 
@@ -158,7 +160,7 @@ std::string bestScoreText(const BestScore& best) {
     if (best.accepted) add(phrase("best.accepted"));
     if (best.zoom > 1) add(phrase("best.zoom", {{"zoom", withDecimalMark(formatNumber(best.zoom))}}));
     if (best.changed) add(phrase("best.changed"));
-    const bool helped = best.guided || !best.cues.empty() || !best.ghost.empty();
+    const bool helped = best.guided || best.swung || !best.cues.empty() || !best.ghost.empty();
     return helped ? phrase("best.with_help", {{"best", text}}) : text;
 }
 

@@ -27,6 +27,7 @@ struct BestScore {
     bool forScore = false;   ///< the machine was measured to keep the metal at the clock's time
     bool changed = false;    ///< workpiece, particles or given settings differed from the lesson's
     bool guided = false;     ///< the desk's torch travelled along the seam by itself
+    bool swung = false;      ///< the desk's torch swung across the seam by itself
     double realTime = 1;     ///< simulated over real time: a slow metal gives the hand more time
     CueSet cues = {};        ///< cues that were on while the arc burned
     std::string ghost = {};  ///< ghost that was on while the arc burned, see ghostName(); empty: none

@@ -38,13 +38,43 @@ void RecordingKeeper::begin(Trainer& trainer, int attempt) {
     fault_.clear();
     if (folder_.empty() || !parameters.keep || welder_.kind == AttemptOwner::Kind::guest) return;
     try {
-        open(trainer, attempt);
+        AttemptHead head = headOf(trainer);
+        head.attempt = attempt;
+        open(trainer, std::move(head));
     } catch (const std::exception& failure) {
         tell("library.recording.not_begun", failure.what());
     }
 }
 
-void RecordingKeeper::open(Trainer& trainer, int attempt) {
+void RecordingKeeper::fork(Trainer& trainer, int attempt) {
+    if (!current_) return;
+    const fs::path from = current_->file();
+    current_->wait();
+    close();
+    fault_.clear();
+    try {
+        AttemptHead head =
+            readRecordingSummary(from).head; // the values at the start, which may differ from the present
+        head.attempt = attempt;
+        open(trainer, std::move(head), from);
+    } catch (const std::exception& failure) {
+        tell("library.recording.not_begun", failure.what());
+    }
+}
+
+AttemptHead RecordingKeeper::headOf(Trainer& trainer) const {
+    AttemptHead head = trainer.attemptHead();
+    head.lessonFile = fileOutsideCatalogue(trainer.lesson());
+    head.lessonHash = fileHash(trainer.lesson().file);
+    head.person = welder_.person.name;
+    head.personId = welder_.person.id;
+    head.program = program_;
+    head.driver = driver_;
+    return head;
+}
+
+/// `from`: see RecordingWriter.
+void RecordingKeeper::open(Trainer& trainer, AttemptHead head, const fs::path& from) {
     std::error_code failure;
     fs::create_directories(folder_, failure);
     if (failure)
@@ -52,19 +82,11 @@ void RecordingKeeper::open(Trainer& trainer, int attempt) {
                          "the folder of recordings cannot be created: " + failure.message() +
                              "; expected a parent folder with write permission");
     freeSpace();
-    AttemptHead head = trainer.attemptHead();
-    head.lessonFile = fileOutsideCatalogue(trainer.lesson());
-    head.lessonHash = fileHash(trainer.lesson().file);
-    head.attempt = attempt;
-    head.person = welder_.person.name;
-    head.personId = welder_.person.id;
     const Moment now = momentNow();
     head.date = isoDate(std::chrono::system_clock::to_time_t(now));
     head.utc = utcText(now);
-    head.program = program_;
-    head.driver = driver_;
-    const fs::path file = recordingName(folder_, head.date, head.lesson, attempt);
-    current_ = std::make_shared<RecordingWriter>(file, head);
+    const fs::path file = recordingName(folder_, head.date, head.lesson, head.attempt);
+    current_ = std::make_shared<RecordingWriter>(file, head, from);
     newest_ = file;
     made_.push_back(file);
     told_ = false;

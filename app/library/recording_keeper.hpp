@@ -31,6 +31,9 @@ class RecordingKeeper {
     /// Begins an attempt. An obstacle to its recording is in fault(): the attempt goes on without one. Makes room
     /// within the limit.
     void begin(Trainer& trainer, int attempt);
+    /// Begins another attempt with the frames of the running one, whose recording has ended; a no-op without one. Waits
+    /// for the disk. Otherwise as begin().
+    void fork(Trainer& trainer, int attempt);
     /// Score (0..100) and verdict of the attempt so far, for the end of its recording.
     void judged(std::optional<double> score, std::string verdict);
     /// Ends the attempt: its trainer has ended the recording, or is gone. Does not wait for the disk.
@@ -68,7 +71,8 @@ class RecordingKeeper {
         bool told = false; ///< true: its fault was reported while the attempt ran
     };
 
-    void open(Trainer& trainer, int attempt);
+    void open(Trainer& trainer, AttemptHead head, const std::filesystem::path& from = {});
+    AttemptHead headOf(Trainer& trainer) const;
     void freeSpace();
     void tell(std::string_view key, std::string_view reason);
 

@@ -1,6 +1,7 @@
 #include "app/report/curve_drawing.hpp"
 
 #include "core/base/text.hpp"
+#include "core/base/units.hpp"
 #include "core/base/words.hpp"
 
 #include <cmath>
@@ -11,19 +12,6 @@ namespace meltpool {
 namespace {
 
 constexpr double kLeft = 36, kRight = 6, kTop = 17, kBottom = 18;
-constexpr double kInch = 25.4; // mm
-
-/// Length of a millimetre of the unit in the inch system; no second system if `unit` is empty.
-struct Inches {
-    std::string_view unit;
-    double perMm = 0;
-};
-
-Inches inchesOf(std::string_view unit) {
-    if (unit == "mm") return {"in", 1 / kInch};
-    if (unit == "mm/s") return {"in/min", 60 / kInch};
-    return {};
-}
 
 std::string tickText(double value) {
     return withDecimalMark(formatNumber(static_cast<float>(value)));
@@ -69,12 +57,12 @@ class Drawing {
     }
 
     void axes() {
-        const Inches inches = inchesOf(curve_.unit);
-        const bool both = !inches.unit.empty();
+        const ShownUnit inches = inchUnit(curve_.unit);
+        const bool both = inches.converts();
         ticksOfValues(1, both ? "mm" : "");
-        if (both) ticksOfValues(inches.perMm, "in");
+        if (both) ticksOfValues(inches.perMetric, "in");
         ticksOfPlaces(1, "mm");
-        ticksOfPlaces(1 / kInch, "in");
+        ticksOfPlaces(inchUnit("mm").perMetric, "in");
         svg_.line(sheet_.left, sheet_.top, sheet_.left, sheet_.bottom, "axis");
         svg_.line(sheet_.left, sheet_.bottom, sheet_.right, sheet_.bottom, "axis");
     }
@@ -123,10 +111,8 @@ class Drawing {
         const auto text = [&](std::string_view key, std::string_view unit, std::string_view style) {
             svg_.word(4, 10, "start", phrase(key, {{"quantity", curve_.title}, {"unit", unit}}), style);
         };
-        const Inches inches = inchesOf(curve_.unit);
         text("drawing.curve.over_mm", curve_.unit, "title mm");
-        text("drawing.curve.over_inches", inches.unit.empty() ? std::string_view(curve_.unit) : inches.unit,
-             "title in");
+        text("drawing.curve.over_inches", inchUnit(curve_.unit).name, "title in");
     }
 
     const Curve& curve_;

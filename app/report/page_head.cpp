@@ -37,6 +37,7 @@ std::string helpOf(const json& attempt) {
     std::string help;
     const auto add = [&](const std::string& word) { help += (help.empty() ? "" : phrase("list.separator")) + word; };
     if (partIn(attempt, "guided") == true) add(phrase("page.help.guided"));
+    if (partIn(attempt, "swung") == true) add(phrase("page.help.swung"));
     if (partIn(attempt, "changed") == true) add(phrase("page.help.changed"));
     if (const std::string cues = textIn(attempt, "cues"); !cues.empty())
         add(phrase("page.help.cues", {{"cues", cues}}));

@@ -67,6 +67,11 @@ std::string measure(std::optional<double> value, std::string_view unit) {
     return numberText(*value, 2) + " " + escaped(unit);
 }
 
+std::string unitName(std::string_view unit) {
+    return "<span class=\"mm\">" + std::string(unit) + "</span><span class=\"in\">" + std::string(inchUnit(unit).name) +
+           "</span>";
+}
+
 std::string unitSwitch() {
     const bool inches = chosenUnits() == UnitSystem::inches;
     const auto choice = [](const std::string& id, bool checked, const std::string& label) {

@@ -29,6 +29,9 @@ std::string numberText(double value, int decimals, bool sign = false);
 /// their unit. "deg" and the sign mean degrees. A dash for unknown values. HTML.
 std::string measure(std::optional<double> value, std::string_view unit);
 
+/// Name of a metric unit and of its inch unit, of which the page shows one. HTML.
+std::string unitName(std::string_view unit);
+
 /// The page's switch between millimetres and inches, set to the chosen units. HTML.
 std::string unitSwitch();
 

@@ -179,7 +179,8 @@ std::string verdictPart(const RunResults& results) {
             "</tr></thead>\n<tbody>\n";
     for (const LetteredItem& each : items)
         html += itemRow(each);
-    return html + "</tbody></table>\n<p class=\"quiet\">" + phrase("page.verdict.legend") + "</p>\n";
+    return html + "</tbody></table>\n<p class=\"quiet\">" + phrase("page.verdict.legend", {{"unit", unitName("mm")}}) +
+           "</p>\n";
 }
 
 } // namespace meltpool

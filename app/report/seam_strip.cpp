@@ -3,6 +3,7 @@
 #include "app/report/curve_scale.hpp"
 #include "app/report/svg_text.hpp"
 #include "core/base/text.hpp"
+#include "core/base/units.hpp"
 #include "core/base/words.hpp"
 
 #include <algorithm>
@@ -12,7 +13,6 @@ namespace meltpool {
 
 namespace {
 
-constexpr double kInch = 25.4; // mm
 constexpr double kTop = 34, kBottom = 46, kHeight = 72;
 constexpr double kLetterRow = 10; ///< between two rows of letters
 constexpr double kClose = 12;     ///< letters closer than this are placed in rows
@@ -32,7 +32,7 @@ class Strip {
         for (const SeamMark& mark : inOrder)
             letter(mark);
         axis(1, "mm", " mm");
-        axis(1 / kInch, "in", " in");
+        axis(inchUnit("mm").perMetric, "in", " in");
         return svg_.element();
     }
 

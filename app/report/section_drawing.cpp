@@ -1,6 +1,7 @@
 #include "app/report/section_drawing.hpp"
 
 #include "app/report/svg_text.hpp"
+#include "core/base/units.hpp"
 #include "core/base/words.hpp"
 
 #include <algorithm>
@@ -10,7 +11,6 @@ namespace meltpool {
 
 namespace {
 
-constexpr double kInch = 25.4;   // mm
 constexpr double kLargest = 16;  ///< units per millimetre
 constexpr double kPicture = 176; ///< units of the width; the rest is for words
 constexpr double kEdge = 8;      ///< units free around it
@@ -114,7 +114,7 @@ class Drawing {
             svg_.word(kPicture + 12, y, "start", phrase(key, {{"length", length}}), unit);
         };
         sized(PhraseNumber(*mm, 1), "mm");
-        sized(PhraseNumber(*mm / kInch, 3), "in");
+        sized(PhraseNumber(*mm * inchUnit("mm").perMetric, 3), "in");
     }
 
     void part(int row, std::string_view style) {
@@ -143,8 +143,9 @@ class Drawing {
         const double y = kSectionHeight - 3;
         svg_.line(kEdge, y, kEdge + 5 * scale_, y, "axis mm");
         svg_.word(kEdge + 5 * scale_ + 4, y, "start", "5 mm", "mm");
-        svg_.line(kEdge, y, kEdge + 0.25 * kInch * scale_, y, "axis in");
-        svg_.word(kEdge + 0.25 * kInch * scale_ + 4, y, "start", std::string(PhraseNumber(0.25, 2)) + " in", "in");
+        const double quarter = 0.25 / inchUnit("mm").perMetric;
+        svg_.line(kEdge, y, kEdge + quarter * scale_, y, "axis in");
+        svg_.word(kEdge + quarter * scale_ + 4, y, "start", std::string(PhraseNumber(0.25, 2)) + " in", "in");
     }
 
     const SectionSizes& sizes_;

@@ -2,6 +2,7 @@
 
 #include "app/report/svg_text.hpp"
 #include "core/base/text.hpp"
+#include "core/base/units.hpp"
 #include "core/base/words.hpp"
 
 #include <algorithm>
@@ -14,24 +15,15 @@ namespace {
 
 constexpr double kWidth = 640, kHeight = 130;
 constexpr double kLeft = 48, kRight = 8, kTop = 22, kBottom = 24;
-constexpr double kInch = 25.4; // mm
 
-/// Unit in one of the two systems that the page shows.
-struct UnitScale {
-    std::string_view unit;
-    double per = 1; ///< count of it in one of the curve's unit
-};
-
-UnitScale metric(std::string_view unit) {
-    return {unit == "mm2" ? std::string_view("mm²") : unit, 1};
+ShownUnit metric(std::string_view unit) {
+    return {unit == "mm2" ? std::string_view("mm\xC2\xB2") : unit};
 }
 
 /// Inch unit; the metric one for a unit that has no inches.
-UnitScale inches(std::string_view unit) {
-    if (unit == "mm") return {"in", 1 / kInch};
-    if (unit == "mm2") return {"in²", 1 / (kInch * kInch)};
-    if (unit == "mm/s") return {"in/min", 60 / kInch};
-    return metric(unit);
+ShownUnit inches(std::string_view unit) {
+    const ShownUnit inch = inchUnit(unit);
+    return inch.converts() ? inch : metric(unit);
 }
 
 CurveSheet sheetOfBoth(const Curve& first, const Curve& second) {
@@ -70,17 +62,17 @@ void drawTicks(const CurveRange& range, int about, double per, const Draw& draw)
 /// Draws numbers, title and axes in one system, whose name is the style that shows and hides it.
 void drawSystem(SvgText& svg, const CurveSheet& sheet, const Curve& curve, std::string_view system) {
     const bool mm = system == "mm";
-    const UnitScale value = mm ? metric(curve.unit) : inches(curve.unit), place = mm ? metric("mm") : inches("mm");
-    drawTicks(sheet.values, 4, value.per, [&](double at, const std::string& text) {
+    const ShownUnit value = mm ? metric(curve.unit) : inches(curve.unit), place = mm ? metric("mm") : inches("mm");
+    drawTicks(sheet.values, 4, value.perMetric, [&](double at, const std::string& text) {
         svg.word(sheet.left - 5, sheet.y(at) + 3, "end", text, system);
     });
-    drawTicks(sheet.places, 8, place.per, [&](double at, const std::string& text) {
+    drawTicks(sheet.places, 8, place.perMetric, [&](double at, const std::string& text) {
         const double x = sheet.x(at);
         svg.line(x, sheet.bottom, x, sheet.bottom + 4, "axis " + std::string(system));
         svg.word(x, sheet.bottom + 15, "middle", text, system);
     });
     svg.word(sheet.left, 14, "start",
-             phrase("drawing.twin.title", {{"quantity", curve.title}, {"unit", value.unit}, {"length", place.unit}}),
+             phrase("drawing.twin.title", {{"quantity", curve.title}, {"unit", value.name}, {"length", place.name}}),
              system);
 }
 

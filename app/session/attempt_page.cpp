@@ -129,6 +129,7 @@ std::filesystem::path writeAttemptPage(LessonSession& session, double zoom, cons
     facts.realTime = judgement.realTime;
     facts.zoom = zoom;
     facts.guided = session.deskTorch().guided();
+    facts.swung = session.deskTorch().weave().swung();
     facts.changed = values.workpieceChanged() || values.settingsChanged();
     if (const CueSet used = attempt.cues().used(); !used.empty()) facts.cues = used.names();
     facts.ghost = attempt.ghost().used();

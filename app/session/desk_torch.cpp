@@ -85,6 +85,14 @@ glm::dvec2 alongOrAcross(const glm::dvec2& push) {
     return {kept(push.x, push.y), kept(push.y, push.x)};
 }
 
+/// True if a hand leads the torch from one pose to the other; keys that were let go still move it a little.
+bool hasMoved(const DeskPose& from, const DeskPose& to) {
+    constexpr double kLeast = 1e-6; // m, or rad
+    const auto differ = [](double a, double b) { return std::abs(a - b) > kLeast; };
+    return differ(from.place, to.place) || differ(from.aim, to.aim) || differ(from.distance, to.distance) ||
+           differ(from.work, to.work) || differ(from.travel, to.travel) || differ(from.dip, to.dip);
+}
+
 double between(double from, double to, double share) {
     return from + (to - from) * share;
 }
@@ -114,7 +122,8 @@ void DeskTorch::begin(const Lesson& lesson) {
     left_ = time_ = 0;
     keyPace_ = {};
     keyWays_ = glm::dmat2(0);
-    guided_ = false;
+    guided_ = aside_ = false;
+    weave_.begin(lesson.torch);
     led_.reset();
 }
 
@@ -135,6 +144,7 @@ void DeskTorch::update(const InputFrame& input, const DeskFrame& frame, const Co
     // The way that the guide went since the last frame counts as the hand's, too.
     wanted_.place += left_;
     left_ = 0;
+    const DeskPose before = wanted_;
     guide_ = static_cast<double>(parameters.guideSpeed) * kMm;
     tremor_ = static_cast<double>(parameters.tremor);
     const auto pointWay = parameters.torchMouse * static_cast<float>(kMm / kPointsPerMove);
@@ -147,6 +157,7 @@ void DeskTorch::update(const InputFrame& input, const DeskFrame& frame, const Co
     wanted_.distance = std::clamp(wanted_.distance, kind_ == DistanceKind::ctwd ? kNearest : kInto, kLongest);
     wanted_.work = std::clamp(wanted_.work, -kSteepest, kSteepest);
     wanted_.travel = std::clamp(wanted_.travel, -kSteepest, kSteepest);
+    aside_ = aside_ && !hasMoved(before, wanted_);
 }
 
 /// `way`: m on the screen, x right and y up.
@@ -169,6 +180,8 @@ void DeskTorch::takeKeys(const InputFrame& input) {
         if (key == Key::pageUp) wanted_.distance += kNotch;
         if (key == Key::pageDown) wanted_.distance -= kNotch;
     }
+    for (const Key key : input.struck)
+        if (key == Key::g) weave_.toggle();
     const bool dips = input.isHeld(Key::r) || input.gamepad.leftTrigger > 0.5F;
     wanted_.dip = rod_ && dips ? 1 : 0;
 }
@@ -231,6 +244,7 @@ QuantitySet DeskTorch::held() const {
 }
 
 TorchSample DeskTorch::next(int step, int due, double seconds, float burntOff, float trigger) {
+    aside_ = aside_ && trigger <= 0;
     if (trigger > 0) { // guide and tremor go on by themselves; only the hand's own way is divided among the steps
         guided_ = guided_ || guide_ > 0;
         const double way = std::min(guide_ * seconds, wayLeft());
@@ -249,21 +263,25 @@ TorchSample DeskTorch::next(int step, int due, double seconds, float burntOff, f
     held_.travel = between(held_.travel, target.travel, share);
     // A rod takes its time, however short the frame is.
     held_.dip += std::clamp(target.dip - held_.dip, -seconds / kRodTime, seconds / kRodTime);
-    TorchSample torch = sampleOf(held_, burntOff);
+    TorchSample torch = sampleOf(held_, burntOff, weave_.next(seconds, trigger > 0));
     torch.trigger = trigger;
     time_ += seconds;
     if (tremor_ > 0) hand_.shake(torch, time_, tremor_ * HandTremor::kPlace, tremor_ * HandTremor::kAngle);
     return torch;
 }
 
-TorchSample DeskTorch::sampleOf(const DeskPose& pose, float burntOff) const {
+/// `swing`: m at right angles to torch and seam, to the seam's side.
+TorchSample DeskTorch::sampleOf(const DeskPose& pose, float burntOff, double swing) const {
     const SeamFrame frame = seam_->at(pose.place);
     const glm::dvec3 lean = std::cos(pose.work) * frame.up + std::sin(pose.work) * frame.across;
     const glm::dvec3 back = std::cos(pose.travel) * lean - std::sin(pose.travel) * frame.tangent;
     const glm::dvec3 right = glm::normalize(frame.tangent - glm::dot(frame.tangent, back) * back);
     const glm::dvec3 foot = frame.point + pose.aim * frame.across;
     TorchSample torch;
-    torch.tip = glm::vec3(foot + (pose.distance + rise_ - stickOut_ - static_cast<double>(burntOff)) * back);
+    const glm::dvec3 side = glm::normalize(glm::cross(frame.tangent, back));
+    const double aside = glm::dot(side, frame.across) < 0 ? -swing : swing;
+    torch.tip =
+        glm::vec3(foot + (pose.distance + rise_ - stickOut_ - static_cast<double>(burntOff)) * back + aside * side);
     torch.orientation = glm::normalize(
         glm::quat_cast(glm::mat3(glm::vec3(right), glm::vec3(glm::cross(back, right)), glm::vec3(back))));
     if (rod_) torch.rod = rodOf(torch, pose, frame);

@@ -1,6 +1,7 @@
 // The torch that mouse and keys lead at the desk: along and across the seam, at a held distance from the plate.
 #pragma once
 
+#include "app/session/desk_weave.hpp"
 #include "app/session/heat_source.hpp"
 #include "core/training/feedback/cues.hpp"
 #include "core/training/judging/seam.hpp"
@@ -45,6 +46,9 @@ class DeskTorch {
     void begin(const Lesson& lesson);
     /// Moves the torch to this place along the seam (m); its pose stays.
     void standAt(double place);
+    /// Puts the torch aside, out of the picture, until the hand leads it or pulls its trigger.
+    void putAside() { aside_ = true; }
+    bool aside() const { return aside_; }
     /// True if there is a seam.
     bool leads() const { return seam_.has_value(); }
 
@@ -54,7 +58,8 @@ class DeskTorch {
     /// up and down across it, or the other way round where the seam is steep on the screen. A gamepad's left stick
     /// leads on the screen, in a push nearly along the seam exactly along it, and its right stick leans the handle; its
     /// shoulders change the distance and its left trigger dips the rod. With a guide speed the torch travels by itself
-    /// while it welds, in the metal's time, up to the end of its range. `process`: settings now; a contact tip does not
+    /// while it welds, in the metal's time, up to the end of its range. G switches the swings of the demonstration on
+    /// and off, if it has any. `process`: settings now; a contact tip does not
     /// move when the stick-out changes.
     void update(const InputFrame& input, const DeskFrame& frame, const ControlParameters& parameters,
                 const ProcessSettings& process);
@@ -65,12 +70,14 @@ class DeskTorch {
 
     const DeskPose& pose() const { return wanted_; }
     /// Torch in that pose. Requires leads().
-    TorchSample sample() const { return sampleOf(wanted_, 0); }
+    TorchSample sample() const { return sampleOf(wanted_, 0, 0); }
     /// Kind of DeskPose::distance, and true if a rod is held.
     DistanceKind distanceKind() const { return kind_; }
     bool hasRod() const { return rod_; }
     /// True if the guide has led the torch since begin().
     bool guided() const { return guided_; }
+    /// Swings that the torch makes by itself.
+    const DeskWeave& weave() const { return weave_; }
     /// Quantities that the hand has not led while it welded since begin(): the desk held them.
     QuantitySet held() const;
 
@@ -82,7 +89,7 @@ class DeskTorch {
     void takeGamepad(const GamepadFrame& gamepad, const DeskFrame& frame, double speed);
     double wayLeft() const;
     void noteLed(const DeskPose& target);
-    TorchSample sampleOf(const DeskPose& pose, float burntOff) const;
+    TorchSample sampleOf(const DeskPose& pose, float burntOff, double swing) const;
     RodSample rodOf(const TorchSample& torch, const DeskPose& pose, const SeamFrame& frame) const;
 
     std::optional<Seam> seam_;
@@ -94,6 +101,8 @@ class DeskTorch {
     double time_ = 0;   ///< s of the metal since begin()
     HandTremor hand_{1};
     bool guided_ = false;
+    bool aside_ = false; ///< see putAside()
+    DeskWeave weave_;
     QuantitySet led_; ///< quantities that the hand has led while it welded
     DeskPose wanted_; ///< target that the hand sets
     DeskPose held_;   ///< pose at the last step

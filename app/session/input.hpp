@@ -15,6 +15,7 @@ enum class Key {
     d,
     e,
     f,
+    g,
     h,
     j,
     k,

@@ -4,7 +4,7 @@ namespace meltpool {
 
 namespace {
 
-constexpr std::array<char, 15> kUsual{'A', 'C', 'D', 'E', 'F', 'H', 'J', 'K', 'N', 'Q', 'R', 'S', 'V', 'W', 'X'};
+constexpr std::array<char, 16> kUsual{'A', 'C', 'D', 'E', 'F', 'G', 'H', 'J', 'K', 'N', 'Q', 'R', 'S', 'V', 'W', 'X'};
 static_assert(kUsual.size() == static_cast<size_t>(Key::left));
 
 /// Capital of a letter below U+0800.

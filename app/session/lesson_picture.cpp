@@ -80,6 +80,7 @@ SceneView LessonPicture::sceneOfMetal() {
         scene.section = cut_.view();
         scene.putTorchAway();
     }
+    if (leader() == TorchLeader::desk && source_.lead.desk().aside()) scene.putTorchAway();
     return scene;
 }
 

@@ -92,10 +92,15 @@ void LessonSession::beginOver(Activity& activity) {
 void LessonSession::beginAttempt() {
     picture_.cut().close();
     run_.forgetSurfaceDistance();
-    paused_ = pausing_ = false;
+    paused_ = pausing_ = swings_ = false;
     question_ = {};
     beginOver(attempt());
-    if (const std::string fault = attempt().begin(*run_.trainer(), values_.forScore()); !fault.empty())
+    askAboutRecord(attempt().begin(*run_.trainer(), values_.forScore()));
+}
+
+/// `fault`: reason why the attempt has no record; empty: it has one, or none is wanted.
+void LessonSession::askAboutRecord(const std::string& fault) {
+    if (!fault.empty())
         question_ = {phrase("session.no_record", {{"reason", fault}}),
                      {phrase("session.without_record"), phrase("session.start_menu")}};
 }
@@ -185,8 +190,9 @@ bool LessonSession::redoes() {
 void LessonSession::redo(Controls& controls) {
     if (!redoes()) return;
     closeCut(controls);
+    std::string unrecorded;
     try {
-        if (!attempt().beginFromCheckpoint(*run_.trainer())) return;
+        if (!attempt().beginFromCheckpoint(*run_.trainer(), unrecorded)) return;
     } catch (const std::exception& fault) { // the metal may belong to neither checkpoint
         run_.stop(fault.what());
         run_.event("fault", run_.fault());
@@ -198,6 +204,7 @@ void LessonSession::redo(Controls& controls) {
     run_.forgetSurfaceDistance();
     run_.metalChanged();
     run_.clock().restart();
+    askAboutRecord(unrecorded);
 }
 
 bool LessonSession::cuts() const {

@@ -99,7 +99,7 @@ class LessonSession {
     bool redoes();
     /// Goes back to before the fault that was chosen in the log's moments(), or some seconds: restores the metal's
     /// checkpoint, and the torch welds on from there once its trigger is released. The attempt is practice from here
-    /// on. Waits for the GPU.
+    /// on; one that passed is kept as it is, see Attempt::beginFromCheckpoint(). Waits for the GPU.
     void redo(Controls& controls);
     /// True if the weld can be cut open now: it can be judged, and the arc does not burn or the person has paused.
     bool cuts() const;
@@ -122,11 +122,13 @@ class LessonSession {
     void makeMetal(const ProcessSettings* process = nullptr);
     void beginOver(Activity& activity);
     void beginAttempt();
+    void askAboutRecord(const std::string& fault);
     void beginTrial();
     void nextTrial(SpeedTrial::Verdict verdict);
     void settleTrial(int answer, Controls& controls);
     bool waits(const Controls& controls);
     TorchSample nextTorch(int step, int steps);
+    void noteSwings();
     void moveCut(const Controls& controls);
     void closeCut(Controls& controls);
 
@@ -139,6 +141,8 @@ class LessonSession {
     HelpSections help_;
     Question question_;
     bool paused_ = false;
+    size_t judgements_ = 0; ///< judgements of the last frame
+    bool swings_ = false;   ///< the desk's torch swings by itself, as the record knows
     bool pausing_ = false; ///< the pause begins once the hand's arc is out
     // controls of the frame whose steps are made
     const Controls* controls_ = nullptr;

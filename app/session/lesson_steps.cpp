@@ -52,12 +52,22 @@ bool LessonSession::beginSteps(const Controls& controls, double seconds, gl::Pro
     }
     nextTrial(activities_.trial.takeVerdict());
     const bool deskLeads = leader() == TorchLeader::desk;
+    if (std::exchange(judgements_, attempt().judgements()) != judgements_ && attempt().judged())
+        lead_.desk().putAside(); // it would hide the weld
     attempt().cues().setHeldByDesk(deskLeads ? lead_.desk().held() : QuantitySet());
     if (due && deskLeads) {
         const glm::mat3 toScreen = glm::mat3(controls.view(1).worldToEye) * picture_.fixture().turn;
         lead_.update(controls, toScreen, run_.secondsDue(), run_.trainer()->lesson().process);
+        noteSwings();
     }
     return due;
+}
+
+/// Writes to the record that the desk swings its torch from now on, or no longer.
+void LessonSession::noteSwings() {
+    const DeskWeave& weave = lead_.desk().weave();
+    if (std::exchange(swings_, weave.on()) == weave.on()) return;
+    run_.event("desk_swings", weave.on() ? "on" : "off");
 }
 
 void LessonSession::moveCut(const Controls& controls) {

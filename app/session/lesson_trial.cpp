@@ -32,13 +32,15 @@ void LessonSession::nextTrial(SpeedTrial::Verdict verdict) {
 }
 
 void LessonSession::settleTrial(int answer, Controls& controls) {
-    const std::vector<SpeedOffer> offers = activities_.trial.offers();
-    activities_.trial.stop();
-    if (static_cast<size_t>(answer) + 1 < offers.size()) {
-        for (const auto& [key, value] : offers[static_cast<size_t>(answer) + 1].values)
+    SpeedTrial& trial = activities_.trial;
+    const SpeedOffer offer = trial.fitting() != nullptr ? *trial.fitting() : SpeedOffer{};
+    const int test = offer.label.empty() ? -1 : 0; // number of the answer that starts the test
+    trial.stop();
+    if (answer == test) {
+        for (const auto& [key, value] : offer.values)
             values_.lesson().set(key, value, "an offered value");
         begin(controls);
-    } else if (static_cast<size_t>(answer) + 1 == offers.size()) {
+    } else if (answer == test + 1) {
         sections().attempt.forScore = false;
         begin(controls);
     } else {

@@ -24,11 +24,9 @@ LessonValues::LessonValues(Lesson lesson)
     : given_(lesson.process), lesson_(machineAtStart(std::move(lesson))), sections_(std::in_place, lesson_) {}
 
 void LessonValues::open(Lesson lesson) {
-    const bool forScore = sections_->attempt.forScore;
     given_ = lesson.process;
     lesson_ = machineAtStart(std::move(lesson));
     sections_.emplace(lesson_);
-    sections_->attempt.forScore = forScore;
 }
 
 bool LessonValues::machineChosen() const {

@@ -16,7 +16,7 @@ class LessonValues {
     LessonValues(const LessonValues&) = delete;
     LessonValues& operator=(const LessonValues&) = delete;
 
-    /// Takes another lesson, with the values of its file; forScore() stays. Earlier results of sections() become
+    /// Takes another lesson, with the values of its file, for practice. Earlier results of sections() become
     /// invalid.
     void open(Lesson lesson);
 

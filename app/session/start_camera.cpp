@@ -6,11 +6,14 @@
 
 #include <glm/trigonometric.hpp>
 
+#include <algorithm>
+
 namespace meltpool {
 
 namespace {
 
 constexpr double kMm = 1e-3;
+constexpr double kRunOn = 6e-3; ///< m of the seam before and behind the counted length
 constexpr int kSeamPoints = 12;
 constexpr float kTorchShown = 45e-3f; ///< m of the torch from its tip: enough to see how it leans
 constexpr float kCube = 0.5f;         ///< half an edge of the classic cube, world units
@@ -36,8 +39,15 @@ std::vector<glm::vec3> pointsToShow(const Lesson& lesson, const DeskTorch& torch
     const glm::mat3 turn = fixtureOf(lesson.workpiece).turn;
     const auto add = [&](const glm::vec3& place) { points.push_back(turn * place / kClassicUnit); };
     const Seam seam = seamOf(lesson.workpiece);
-    const double from = lesson.technique ? lesson.technique->lengthFromMm * kMm : seam.begin();
-    const double to = lesson.technique ? lesson.technique->lengthToMm * kMm : seam.end();
+    double from = seam.begin(), to = seam.end();
+    if (lesson.technique) { // a weld begins before the counted length and runs on past it
+        from = lesson.technique->lengthFromMm * kMm - kRunOn;
+        to = lesson.technique->lengthToMm * kMm + kRunOn;
+    }
+    if (!seam.closed()) {
+        from = std::max(from, seam.begin());
+        to = std::min(to, seam.end());
+    }
     for (int i = 0; i <= kSeamPoints; ++i)
         add(glm::vec3(seam.at(from + (to - from) * i / kSeamPoints).point));
     const TorchSample start = torch.sample();

@@ -245,7 +245,7 @@ MenuRequest rowsPart(Context& context, ReplayList& list, const std::vector<size_
     return request;
 }
 
-/// Draws the question before a removal, or the line for a new name.
+/// Draws the question before a removal, or the line for a new name, below the button that was pressed.
 void askingPart(Context& context, ReplayList& list, size_t index) {
     const ReplayEntry& entry = list.entries()[index];
     if (list.asking == ReplayList::Asking::removal) {
@@ -270,11 +270,9 @@ void askingPart(Context& context, ReplayList& list, size_t index) {
     if (entered || kept) list.rename(index, list.typed);
 }
 
-/// Draws what the list asks, or has done.
+/// Draws what the list has done.
 void noticePart(Context& context, ReplayList& list) {
     if (!list.fault().empty()) quietText(context, list.fault());
-    const auto selected = list.selected();
-    if (list.asking != ReplayList::Asking::nothing && selected) return askingPart(context, list, *selected);
     if (!list.notice().empty()) quietText(context, list.notice());
     if (list.canBringBack() && button(context, "home.attempts.undo", phrase("attempts.undo").c_str())) list.bringBack();
     if (!list.marks()) return;
@@ -288,6 +286,9 @@ MenuRequest actionsPart(Context& context, ReplayList& list, std::optional<size_t
     MenuRequest request = MenuRequest::none;
     const auto press = [&](const char* name, const char* text, const char* tip, ButtonKind kind) {
         return button(context, name, phrase(text).c_str(), kind, kActionsWidth, phrase(tip).c_str());
+    };
+    const auto asks = [&](Asking what) {
+        if (list.asking == what) askingPart(context, list, *selected);
     };
     if (selected) {
         if (press("home.attempts.play", "attempts.play", "attempts.play_tip", ButtonKind::main))
@@ -305,8 +306,10 @@ MenuRequest actionsPart(Context& context, ReplayList& list, std::optional<size_t
             list.typed = list.entries()[*selected].title;
             list.fresh = true;
         }
+        asks(Asking::title);
         if (press("home.attempts.delete", "attempts.delete", "attempts.delete_tip", ButtonKind::plain))
             list.asking = Asking::removal;
+        asks(Asking::removal);
         if (request != MenuRequest::none && request != MenuRequest::compare) list.choose(*selected);
     }
     ImGui::Dummy({0, context.points(6)});

@@ -3,6 +3,9 @@
 #include "core/base/words.hpp"
 
 #include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace meltpool::ui {
 
@@ -33,6 +36,17 @@ void drawFault(Context& context, const CataloguedLesson& lesson, ImVec2 low, ImV
     draw.PopClipRect();
 }
 
+/// Draws wholeWords(). `leftBottom`: lower left end of the last line.
+void drawWords(ImFont* font, float size, ImVec2 leftBottom, ImU32 tint, std::string_view text, float width,
+               size_t lines) {
+    const std::vector<std::string> broken = wholeWords(*font, size, text, width, lines);
+    float top = leftBottom.y - size * static_cast<float>(broken.size());
+    for (const std::string& line : broken) {
+        ImGui::GetWindowDrawList()->AddText(font, size, {leftBottom.x, top}, tint, line.c_str());
+        top += size;
+    }
+}
+
 /// Draws the lesson's picture and words; the words are below the picture, or next to it.
 void drawLesson(Context& context, Home& home, const CataloguedLesson& lesson, ImVec2 low, ImVec2 high, bool beside) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -60,8 +74,8 @@ void drawLesson(Context& context, Home& home, const CataloguedLesson& lesson, Im
     if (!usable && beside) drawFault(context, lesson, {at.x, at.y + line}, high);
     const std::string standing = usable ? home.standing(lesson) : phrase("home.at_fault");
     if (usable || !beside)
-        draw.AddText(small, quiet, {at.x, high.y - quiet - pad}, usable ? colour::kQuiet : colour::kWarning,
-                     standing.c_str());
+        drawWords(small, quiet, {at.x, high.y - pad}, usable ? colour::kQuiet : colour::kWarning, standing, width,
+                  beside ? 1 : 2);
     draw.PopClipRect();
 }
 
@@ -97,7 +111,7 @@ bool lessonGrid(Context& context, Home& home) {
     const auto columns = static_cast<float>(home.columns);
     const float share = (room - gap * (columns - 1)) / columns;
     const float width = beside ? share : std::min(share, context.points(kWidestTile));
-    const float words = 2 * loadedSize(*context.fonts.strong) + loadedSize(*context.fonts.small);
+    const float words = 2 * loadedSize(*context.fonts.strong) + 2 * loadedSize(*context.fonts.small);
     const float height = width / kPictureShape + words * ImGui::GetIO().FontGlobalScale + context.points(20);
     const ImVec2 size{width, beside ? context.points(kRowHeight) : height};
     const bool moved = home.takeMoved();

@@ -88,6 +88,8 @@ KeySituation keySituation(const Controls& controls, LessonSession& session, bool
     now.cold = now.source && !weld;
     now.arc = weld && isArcWelding(session.lesson().process);
     now.rod = now.seam && session.deskTorch().hasRod();
+    now.weaves = now.seam && session.deskTorch().weave().weave();
+    now.swings = now.weaves && session.deskTorch().weave().on();
     now.judges = session.judges();
     now.next = now.judges && session.attempt().judged() && !session.lesson().next.empty();
     now.fadedCues = own && !session.attempt().cues().faded().empty();
@@ -122,6 +124,7 @@ void KeyGuide::addMenus(const KeySituation& now) {
              "help.key.arrow_keys"),
         "help.pad.pad");
     add(keys(kHere, {Key::enter}, "help.press_or_type", "bar.hint.press"));
+    add(keys(kHere, {Key::backspace}, "help.first_value"));
     add(keys(kHere, {Key::escape}, "help.back_to_the_torch",
              now.seam || now.source ? "bar.hint.back_to_torch" : "bar.hint.back"));
     add(keys(kHere, {Key::tab}, "help.to_the_next_panel", "bar.hint.next_panel"));
@@ -156,6 +159,9 @@ void KeyGuide::addTorch(const KeySituation& now) {
         add(keys(kHere, {Key::space}, held, weld, "help.key.left_button_or_space"), "help.pad.right_trigger");
     }
     if (now.rod) add(keys(kHere, {Key::r}, "help.dip_the_rod", "bar.hint.dip_the_rod"), "help.pad.left_trigger");
+    if (now.weaves)
+        add(keys(kHere, {Key::g}, now.swings ? "help.stop_swinging" : "help.swing_the_torch",
+                 now.swings ? "bar.hint.stop_swinging" : "bar.hint.swing"));
     if (now.source) {
         add(mouse(kHere, "help.key.mouse", "help.torch_sideways_and_up"), "help.pad.left_stick");
         add(mouse(kHere, "help.key.and_right_button", "help.torch_near_and_far", "bar.hint.near_and_far"),
@@ -225,6 +231,7 @@ void KeyGuide::addProgram(const KeySituation& now) {
     if (!now.home && !now.lesson) {
         add(keys(kHere, {Key::enter}, "help.start_the_lesson"));
         add(keys(kHere, {Key::tab}, "help.to_the_next_control"), "help.pad.pad");
+        add(keys(kHere, {Key::backspace}, "help.first_value"));
     }
     if (!now.home) add(keys(kHere, {Key::h}, "help.home_all_lessons"));
     if (!now.home && !now.lesson) add(keys(kHere, {Key::escape}, "help.home_all_lessons"));

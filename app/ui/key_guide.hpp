@@ -28,6 +28,8 @@ struct KeySituation {
     bool cold = false;    ///< the source can cool
     bool arc = false;     ///< the torch welds; if not, it heats
     bool rod = false;     ///< the other hand holds a filler rod
+    bool weaves = false;  ///< the desk can swing the torch
+    bool swings = false;  ///< and does
     bool judges = false;  ///< the weld can be judged
     bool next = false;    ///< a judged lesson is followed by another
     bool redoes = false;  ///< the attempt can go back

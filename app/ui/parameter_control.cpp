@@ -109,17 +109,18 @@ bool opensEntry(const Context& context) {
     return context.typing && (ImGui::IsMouseDoubleClicked(0) || (ImGui::IsMouseClicked(0) && ImGui::GetIO().KeyCtrl));
 }
 
+bool isPressed(ImGuiKey key) {
+#if IMGUI_VERSION_NUM < 18700
+    const int index = ImGui::GetKeyIndex(key);
+    return index >= 0 && ImGui::IsKeyPressed(index);
+#else
+    return ImGui::IsKeyPressed(key);
+#endif
+}
+
 /// Way that the arrow keys move the chosen slider's handle: 1 up, -1 down, 0 not.
 int arrowsOnSlider() {
-    const auto pressed = [](ImGuiKey key) {
-#if IMGUI_VERSION_NUM < 18700
-        const int index = ImGui::GetKeyIndex(key);
-        return index >= 0 && ImGui::IsKeyPressed(index);
-#else
-        return ImGui::IsKeyPressed(key);
-#endif
-    };
-    return static_cast<int>(pressed(ImGuiKey_RightArrow)) - static_cast<int>(pressed(ImGuiKey_LeftArrow));
+    return static_cast<int>(isPressed(ImGuiKey_RightArrow)) - static_cast<int>(isPressed(ImGuiKey_LeftArrow));
 }
 
 /// Value a fiftieth of the slider's length farther, or the next one if they are coarser.
@@ -181,6 +182,21 @@ bool slider(Context& context, std::string_view name, const Scale& scale, bool wh
     return changed;
 }
 
+/// True if the person clicks the place of the last item, which is no stop for keys.
+bool clickedByMouse() {
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    const auto within = [&](ImVec2 p) { return p.x >= low.x && p.x < high.x && p.y >= low.y && p.y < high.y; };
+    const ImGuiIO& io = ImGui::GetIO();
+    return within(io.MousePos) && within(io.MouseClickedPos[0]) && ImGui::IsMouseReleased(0) &&
+           ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
+}
+
+/// True if Backspace or Delete is pressed at the slider that keys have chosen.
+bool givesBackByKey() {
+    if (!ImGui::GetIO().NavVisible || !ImGui::IsItemFocused()) return false;
+    return isPressed(ImGuiKey_Backspace) || isPressed(ImGuiKey_Delete);
+}
+
 /// Draws a control's value; returns true if the person clicks it to type another. Keys use the slider instead, so it is
 /// no control of its own.
 bool valueText(Context& context, std::string_view name, std::string_view value, bool typed) {
@@ -226,7 +242,8 @@ LabelPress labelLine(Context& context, std::string_view name, std::string_view t
         if (beside) ImGui::SameLine();
         ImGui::SetCursorPosX(std::max(right - need, left));
         const ImVec2 corner = ImGui::GetCursorScreenPos();
-        back = ImGui::InvisibleButton("##back", {size, ImGui::GetTextLineHeight()});
+        ImGui::Dummy({size, ImGui::GetTextLineHeight()});
+        back = clickedByMouse();
         markItem(context, ShortText{name, ".back"});
         const ImU32 tint = ImGui::IsItemHovered() ? colour::kAccent : colour::kQuiet;
         ShortText note;
@@ -294,6 +311,10 @@ struct Draw {
         bool changed = false;
         if (!entry.isOpen(name)) {
             changed = slider(context, name, scale, whole, shown);
+            if (!original.empty() && givesBackByKey()) {
+                setParameter({p}, p.key, original, p.key);
+                return false;
+            }
         } else if (const auto typed = entry.draw(
                        {scale.low, scale.high, whole, isBareUnit(p.unit) ? std::string_view() : unit.name})) {
             shown = *typed;

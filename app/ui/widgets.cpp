@@ -5,12 +5,26 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cfloat>
 #include <cmath>
 #include <cstring>
 
 namespace meltpool::ui {
 
+namespace {
+
+/// Scrolls the part that holds the item that keys have just chosen, if a piece of the item is out of sight.
+void scrollToFocus(Context& context, std::string_view name) {
+    if (!ImGui::GetIO().NavVisible || !ImGui::IsItemFocused() || context.lastFocus == name) return;
+    context.lastFocus = name;
+    const float top = ImGui::GetWindowPos().y, bottom = top + ImGui::GetWindowHeight();
+    if (ImGui::GetItemRectMin().y < top || ImGui::GetItemRectMax().y > bottom) ImGui::SetScrollHereY(0.5f);
+}
+
+} // namespace
+
 void markItem(Context& context, std::string_view name) {
+    scrollToFocus(context, name);
     if (!ImGui::IsItemVisible()) return;
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 high = ImGui::GetItemRectMax();
@@ -57,15 +71,44 @@ void outlineRounded(ImDrawList& draw, ImVec2 low, ImVec2 high, ImU32 tint, float
     draw.AddRect(low, high, tint, drawableRadius(low, high, radius));
 }
 
+namespace {
+
+constexpr float kTooltipWidth = 320; ///< points, the most
+
+void putTooltipAtEdge() {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const bool low = ImGui::GetItemRectMax().y > 0.6f * screen.y;
+    ImGui::SetNextWindowPos({screen.x / 2, low ? 0 : screen.y}, ImGuiCond_Always, {0.5f, low ? 0.0f : 1.0f});
+}
+
+/// Puts the tooltip of the control that keys have chosen beside the panel, so that it covers no other control; at the
+/// edge if there is no room.
+void putTooltipBeside(Context& context) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const float margin = context.points(44); // the panel's own padding around a scrolling part
+    const float need = context.points(kTooltipWidth) + 2 * ImGui::GetStyle().WindowPadding.x + margin;
+    const float left = ImGui::GetWindowPos().x, right = left + ImGui::GetWindowWidth();
+    if (ImGui::GetWindowHeight() < context.points(60)) return; // a bar covers nothing below it
+    const bool atRight = right + need <= screen.x;
+    if (!atRight && left < need) return putTooltipAtEdge();
+    const float low = ImGui::GetItemRectMin().y, high = ImGui::GetItemRectMax().y;
+    const bool upper = (low + high) / 2 < screen.y / 2;
+    ImGui::SetNextWindowPos({atRight ? right + margin : left - margin, upper ? low : high}, ImGuiCond_Always,
+                            {atRight ? 0.0f : 1.0f, upper ? 0.0f : 1.0f});
+}
+
+} // namespace
+
 void tooltip(Context& context, std::string_view text) {
     if (text.empty() || !ImGui::IsItemHovered()) return;
-    if (context.tooltipsAtEdge) {
-        const ImVec2 screen = ImGui::GetIO().DisplaySize;
-        const bool low = ImGui::GetItemRectMax().y > 0.6f * screen.y;
-        ImGui::SetNextWindowPos({screen.x / 2, low ? 0 : screen.y}, ImGuiCond_Always, {0.5f, low ? 0.0f : 1.0f});
-    }
+    const bool byKeys = ImGui::GetIO().NavVisible && ImGui::IsItemFocused() &&
+                        !ImGui::IsMouseHoveringRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+    if (context.tooltipsAtEdge)
+        putTooltipAtEdge();
+    else if (byKeys)
+        putTooltipBeside(context);
     ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(std::min(context.points(320), ImGui::GetIO().DisplaySize.x - context.points(40)));
+    ImGui::PushTextWrapPos(std::min(context.points(kTooltipWidth), ImGui::GetIO().DisplaySize.x - context.points(40)));
     ImGui::TextUnformatted(text.data(), text.data() + text.size());
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
@@ -88,6 +131,27 @@ void quietLine(Context& context, std::string_view text) {
     ImGui::PopStyleColor();
     ImGui::PopFont();
     if (cut) tooltip(context, text);
+}
+
+std::vector<std::string> wholeWords(ImFont& font, float size, std::string_view text, float width, size_t lines) {
+    std::vector<std::string> broken;
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    while (at < end && broken.size() < lines) {
+        const char* stop = font.CalcWordWrapPositionA(size / loadedSize(font), at, end, width);
+        if (stop == at) stop = end; // no room for a single letter
+        broken.emplace_back(at, stop);
+        at = stop;
+        while (at < end && *at == ' ')
+            ++at;
+    }
+    if (at == end || broken.empty()) return broken;
+    std::string& last = broken.back();
+    const auto tooWide = [&] { return font.CalcTextSizeA(size, FLT_MAX, 0, (last + " ..").c_str()).x > width; };
+    while (tooWide() && last.find(' ') != std::string::npos)
+        last.resize(last.rfind(' '));
+    last += " ..";
+    return broken;
 }
 
 void strongText(Context& context, std::string_view text) {

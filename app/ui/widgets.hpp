@@ -34,6 +34,7 @@ struct Context {
 
     FocusRing windows;      ///< windows that keys can reach
     std::string focus;      ///< name of the control that keys have chosen; empty: none is
+    std::string lastFocus;  ///< name of the control that keys have chosen last
     bool gamepad = false;   ///< one is connected
     bool byGamepad = false; ///< the gamepad was used last: hints name its buttons
 
@@ -55,6 +56,10 @@ void noteWindow(Context& context, const char* name);
 /// Begins a scrolling part of the window that keys enter and leave like the rest of it. A size of 0: as far as the
 /// window goes. ImGui::EndChild() ends it.
 void beginPart(const char* name, ImVec2 size);
+
+/// Breaks a text into at most `lines` lines of whole words, `width` pixels wide; the last one ends with a mark if there
+/// are more.
+std::vector<std::string> wholeWords(ImFont& font, float size, std::string_view text, float width, size_t lines);
 
 /// Draws one parameter with label, value, unit and tooltip; returns true if it was changed. `prefix` starts its name
 /// among the places, and is the table of its phrases.

@@ -26,6 +26,12 @@ glm::mat4 strokeAt(const glm::vec3& middle, const glm::vec3& along, const glm::v
 
 } // namespace
 
+Solid chalkStroke(const glm::vec3& from, const glm::vec3& to, const glm::vec3& normal) {
+    const float length = glm::distance(from, to);
+    return {SolidShape::box, strokeAt((from + to) / 2.0F, (to - from) / length, normal, length, kWidth), kSoapstone,
+            0.0F};
+}
+
 ChalkLine::ChalkLine(const ChalkEnds& ends) {
     const glm::vec3 way = ends.to - ends.from;
     const float length = glm::length(way);

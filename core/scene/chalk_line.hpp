@@ -19,6 +19,9 @@ struct ChalkEnds {
     glm::vec3 up{0, 1, 0}; ///< unit vector out of the face
 };
 
+/// One stroke of soapstone from place to place on a face with this normal, m.
+Solid chalkStroke(const glm::vec3& from, const glm::vec3& to, const glm::vec3& normal);
+
 class ChalkLine {
   public:
     explicit ChalkLine(const ChalkEnds& ends);

@@ -58,10 +58,14 @@ TEST_CASE("a finished weld is judged by itself once, and welding on or another a
     REQUIRE(welder.session.run().arc().burns());
     welder.session.judge(); // no judgement while the arc burns
     CHECK_FALSE(welder.session.attempt().judged());
+    const auto waits = [&] { return welder.session.attempt().judging().waits(*welder.session.run().trainer()); };
+    CHECK_FALSE(waits());
     welder.lead(0.5, 0);
     CHECK_FALSE(welder.session.attempt().judged());
+    CHECK(waits());
     welder.lead(1, 0);
     REQUIRE(welder.session.attempt().judged());
+    CHECK_FALSE(waits());
     CHECK(welder.session.attempt().judgements() == 1);
     const JudgedAttempt& judged = *welder.session.attempt().judged();
     REQUIRE(judged.judgement.score);

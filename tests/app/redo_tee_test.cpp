@@ -46,7 +46,9 @@ TEST_CASE("fourteen ways back at the tee begin with the same metal and take no m
     for (int i = 0; i < kTimes; ++i) {
         INFO("number " << i + 1);
         redo.choose(kFault);
-        REQUIRE(redo.back(trainer));
+        const auto moment = redo.target(trainer);
+        REQUIRE(moment);
+        redo.back(trainer, *moment);
         CHECK(redo.redone() == static_cast<size_t>(i) + 1);
         const LessonResult now = trainer.result();
         if (i == 0) {

@@ -1,7 +1,9 @@
 // Return to an earlier checkpoint of the attempt: the metal is restored, the record contains both branches and replays
 // the last one, and the attempt counts as practice.
+#include "app/library/kept_attempts.hpp"
 #include "app/session/lesson_session.hpp"
 #include "core/base/text.hpp"
+#include "core/training/attempt/recording_reader.hpp"
 #include "core/training/lesson/recorded_attempt.hpp"
 #include "tests/app/small_lessons.hpp"
 #include "tests/support/catch.hpp"
@@ -11,6 +13,8 @@
 #include <chrono>
 #include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 using namespace meltpool;
 
@@ -27,15 +31,17 @@ TorchSample torchAt(size_t step, double timeStep) {
 
 class Welder {
   public:
-    explicit Welder(const std::filesystem::path& record = {})
-        : session(test::shaders(), test::plainBead(), [] { return 0.0; }) {
+    explicit Welder(const std::filesystem::path& record = {}, Lesson lesson = test::plainBead())
+        : session(test::shaders(), std::move(lesson), [] { return 0.0; }) {
         session.log().records().use(record, "program", "driver");
     }
 
     /// Runs frames of 1/45 s, in each of which a pending checkpoint has time to be stored.
     void weld(int frames) {
         const TorchSource torch = [&](int step, int) {
-            return torchAt(session.run().steps() + static_cast<size_t>(step), 1.0 / 90);
+            TorchSample sample = torchAt(session.run().steps() + static_cast<size_t>(step), 1.0 / 90);
+            sample.trigger = trigger;
+            return sample;
         };
         for (int i = 0; i < frames; ++i) {
             session.advance(controls, 1.0 / 45, nullptr, torch);
@@ -45,6 +51,7 @@ class Welder {
 
     Controls controls;
     LessonSession session;
+    float trigger = 1;
 };
 
 std::string hashOfRepeat(const std::filesystem::path& file) {
@@ -88,6 +95,64 @@ TEST_CASE("an attempt goes back three seconds and on to another end, which its r
     REQUIRE(mark != attempt->notes.end()); // note of a replay's time line
     CHECK(std::stoul(mark->value) < mark->steps);
     CHECK(attempt->stateHash == hashOfRepeat(file));
+}
+
+TEST_CASE("an attempt that passed stays as it is, and what is redone is another attempt", "[app]") {
+    const auto folder = test::scratchFolder("redo-fork");
+    const auto record = folder / "weld.csv";
+    Lesson lesson = test::plainBead();
+    lesson.acceptance.reset(); // a scored weld without limits has passed
+    lesson.technique->lengthFromMm = -6;
+    lesson.technique->lengthToMm = -1;
+    {
+        Welder welder(record, lesson);
+        AttemptLog& log = welder.session.log();
+        log.recordings().use(folder / "recordings", "program", "driver");
+        welder.session.begin(welder.controls);
+        welder.weld(200);
+        welder.trigger = 0;
+        welder.weld(60);
+        REQUIRE(welder.session.attempt().judged());
+        REQUIRE(welder.session.attempt().judged()->judgement.score->scored);
+        log.redo().choose(-0.003);
+        welder.session.redo(welder.controls);
+        CHECK(log.redo().redone() == 1);
+        CHECK(log.records().attempt() == 2);
+        CHECK_FALSE(welder.session.question().asked());
+        welder.trigger = 1;
+        welder.weld(40);
+        welder.trigger = 0;
+        welder.weld(60);
+        const std::uint64_t checkpoints = log.redo().bytes();
+        CHECK(checkpoints > 0);
+        log.redo().choose(-0.003);
+        welder.session.redo(welder.controls); // what is practice already stays one attempt
+        welder.weld(10);
+        welder.session.end("the test ended");
+        log.recordings().finish();
+        CHECK(log.recordings().lost().empty());
+    }
+    const std::vector<KeptAttempt> kept = keptRecordings(folder / "recordings");
+    REQUIRE(kept.size() == 2); // the newest first
+    CHECK_FALSE(kept[1].practice);
+    CHECK(kept[1].score);
+    CHECK(kept[0].practice);
+    const Recording first = readSoundRecording(kept[1].file), second = readSoundRecording(kept[0].file);
+    CHECK(first.end->reason == "redone in another attempt");
+    CHECK(first.head.attempt == 1);
+    CHECK(second.head.attempt == 2);
+    CHECK(first.head.values == second.head.values);
+    CHECK(first.steps.size() > second.steps.size());
+    CHECK_FALSE(second.checkpoints.empty());
+    for (const KeptAttempt& each : kept)
+        CHECK(readSoundRecording(each.file).end->stateHash == hashOfRepeat(each.file));
+    const auto csv = readRecordedAttempt(record), redoneCsv = readRecordedAttempt(folder / "weld-2.csv");
+    REQUIRE(csv);
+    REQUIRE(redoneCsv);
+    CHECK(csv->redone == 0);
+    CHECK(redoneCsv->redone >= 1);
+    CHECK(csv->stateHash == hashOfRepeat(record));
+    CHECK(redoneCsv->stateHash == hashOfRepeat(folder / "weld-2.csv"));
 }
 
 TEST_CASE("one goes back before a fault by its place, and another attempt knows of nothing earlier", "[app]") {

@@ -50,6 +50,11 @@ void CheckpointRing::clear(CheckpointTaker taker, bool keeps) {
     historyTo_ = 0;
 }
 
+void CheckpointRing::giveTo(CheckpointTaker taker) {
+    const auto lock = whenIdle();
+    taker_ = std::move(taker);
+}
+
 bool CheckpointRing::due(double time, double period) {
     if (std::abs(time - last_) < period) return false;
     const std::lock_guard lock(mutex_);

@@ -50,6 +50,9 @@ class CheckpointRing {
     /// false stores nothing and makes checkpoints for the taker alone.
     void clear(CheckpointTaker taker = {}, bool keeps = true);
 
+    /// Passes each checkpoint from the next one on to `taker` instead. Waits while the worker packs.
+    void giveTo(CheckpointTaker taker);
+
     /// True if a checkpoint is due at this time of the metal (s). Then pass capture() and historyTo() to
     /// Trainer::capture(), and call begun(). `period`: s from one checkpoint to the next, instead of the limits' own.
     /// Never waits.

@@ -32,14 +32,23 @@ bool samePlaces(const RecordingPerson& a, const RecordingPerson& b) {
     return a.head == b.head && a.left == b.left && a.right == b.right && a.zoom == b.zoom;
 }
 
+bool isRedo(const RecordingFrame& frame) {
+    return frame.is(FrameKind::event) && readNote(frame.content).name == "redo";
+}
+
 } // namespace
 
-RecordingWriter::RecordingWriter(const std::filesystem::path& file, const AttemptHead& head) : file_(file) {
+RecordingWriter::RecordingWriter(const std::filesystem::path& file, const AttemptHead& head,
+                                 const std::filesystem::path& begin)
+    : file_(file) {
     batch_ = kRecordingSignature;
     appendFrame(batch_, chain_, static_cast<std::uint32_t>(FrameKind::head), headContent(head));
-    if (!file_.append(batch_)) {
+    try {
+        if (!begin.empty()) copy(begin);
+        if (!file_.append(batch_)) throw RuntimeFault(file.string() + ": cannot be written: " + file_.reason());
+    } catch (...) {
         file_.remove();
-        throw RuntimeFault(file.string() + ": cannot be written: " + file_.reason());
+        throw;
     }
     bytes_ = file_.written();
     batch_.clear();
@@ -52,6 +61,22 @@ RecordingWriter::RecordingWriter(const std::filesystem::path& file, const Attemp
         throw RuntimeFault(file.string() + ": the thread that writes cannot start: " + failure.what() +
                            "; expected a computer with room for another thread");
     }
+}
+
+/// Takes every frame between head and end of a finished recording.
+void RecordingWriter::copy(const std::filesystem::path& begin) {
+    FrameReader reader(begin);
+    RecordingFrame frame;
+    while (reader.next(frame)) {
+        if (frame.is(FrameKind::head) || frame.is(FrameKind::end)) continue;
+        if (isRedo(frame)) redone_.fetch_add(1, std::memory_order_relaxed);
+        appendFrame(batch_, chain_, frame.kind, frame.content);
+        if (batch_.size() < kRoom) continue;
+        if (!file_.append(batch_)) throw RuntimeFault(file().string() + ": cannot be written: " + file_.reason());
+        batch_.clear();
+    }
+    if (reader.ended() != FrameReader::Ended::whole)
+        throw InputError(begin, 0, "is not whole; expected an attempt that has ended");
 }
 
 RecordingWriter::~RecordingWriter() {

@@ -36,7 +36,10 @@ class RecordingWriter {
 
     /// Creates the file and writes its head. Throws InputError if it exists already or cannot be created there,
     /// RuntimeFault if the machine fails.
-    RecordingWriter(const std::filesystem::path& file, const AttemptHead& head);
+    /// `begin`: a finished recording whose steps, notes and checkpoints are this one's first ones; empty: none. Throws
+    /// InputError, too, if it is not whole.
+    RecordingWriter(const std::filesystem::path& file, const AttemptHead& head,
+                    const std::filesystem::path& begin = {});
     /// Writes everything received and waits for it; without end() the file has no end.
     ~RecordingWriter();
     RecordingWriter(const RecordingWriter&) = delete;
@@ -83,6 +86,7 @@ class RecordingWriter {
         std::vector<std::byte> bytes;
     };
 
+    void copy(const std::filesystem::path& begin);
     void put(FrameKind kind, std::initializer_list<std::string_view> parts);
     void run();
     void gather();

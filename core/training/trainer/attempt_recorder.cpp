@@ -8,10 +8,10 @@
 
 namespace meltpool {
 
-void AttemptRecorder::writeCsv(const std::filesystem::path& file, const AttemptHead& head, bool paced, bool replace) {
+void AttemptRecorder::writeCsv(const std::filesystem::path& file, const AttemptHead& head, const RecordKind& kind) {
     csv_ = nullptr;
     fault_.clear();
-    csv_ = std::make_unique<Record>(file, head, paced, replace);
+    csv_ = std::make_unique<Record>(file, head, kind);
 }
 
 void AttemptRecorder::step(std::uint64_t steps, const TorchSample& torch, const ArcState& arc) {

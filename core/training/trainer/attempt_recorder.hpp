@@ -17,7 +17,7 @@ namespace meltpool {
 class AttemptRecorder {
   public:
     /// Writes a row in `file` for each following step. Throws InputError if it cannot be written.
-    void writeCsv(const std::filesystem::path& file, const AttemptHead& head, bool paced, bool replace);
+    void writeCsv(const std::filesystem::path& file, const AttemptHead& head, const RecordKind& kind);
     bool writesCsv() const { return csv_ != nullptr; }
     /// Passes each following step to `recording`, until end().
     void recordInto(std::shared_ptr<RecordingWriter> recording) { recording_ = std::move(recording); }

@@ -41,12 +41,13 @@ void LessonScene::noteMetal() {
     wipeChalk();
 }
 
-/// Draws the line to weld on a plate without a joint. A test has it too.
+/// Draws the line to weld on a plate without a joint, and marks beside a joint where the length begins and ends that
+/// counts. A test has them too.
 void LessonScene::drawChalk() {
     const Lesson& lesson = std::as_const(trainer_).lesson();
     if (lesson.model != LessonModel::Weld || !lesson.technique || trainer_.technique() == nullptr) return;
-    if (static_cast<WorkpieceKind>(lesson.workpiece.kind) != WorkpieceKind::Plate) return;
     const TechniqueBands& bands = *lesson.technique;
+    if (static_cast<WorkpieceKind>(lesson.workpiece.kind) != WorkpieceKind::Plate) return markJoint(bands);
     const TechniqueBand* aim = bands.find(TechniqueQuantity::aim);
     const double line = aim != nullptr ? aim->ideal / quantityInfo(TechniqueQuantity::aim, bands.distance).perSi : 0;
     const Seam& seam = trainer_.technique()->seam();
@@ -56,6 +57,16 @@ void LessonScene::drawChalk() {
     };
     chalk_.emplace(ChalkEnds{place(bands.lengthFromMm), place(bands.lengthToMm), glm::vec3(seam.at(0).up)});
     welded_.emplace(seam, line);
+}
+
+void LessonScene::markJoint(const TechniqueBands& bands) {
+    const Seam& seam = trainer_.technique()->seam();
+    std::vector<JointEnd> ends;
+    for (const double mm : {bands.lengthFromMm, bands.lengthToMm}) {
+        const SeamFrame frame = seam.at(mm * 1e-3);
+        ends.push_back({glm::vec3(frame.point), glm::vec3(frame.across), glm::vec3(frame.up)});
+    }
+    marks_ = jointMarks(ends, withoutSurface({}).blocks);
 }
 
 void LessonScene::wipeChalk() {
@@ -82,7 +93,7 @@ SceneView LessonScene::view() {
     scene.mesh = surface_->mesh();
     scene.meshIsOpen = !trainer_.lesson().surface.caps;
     scene.effects = sight_.view();
-    if (chalk_) scene.chalk = chalk_->solids();
+    scene.chalk = chalk_ ? chalk_->solids() : std::span<const Solid>(marks_);
     return scene;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/scene/chalk_line.hpp"
+#include "core/scene/joint_marks.hpp"
 #include "core/surface/surface.hpp"
 #include "core/training/feedback/arc_appearance.hpp"
 #include "core/training/judging/welded_places.hpp"
@@ -57,6 +58,7 @@ class LessonScene : private StepWatcher {
     SceneView withoutSurface(const TorchSample& torch);
     void forgetOldMetal();
     void drawChalk();
+    void markJoint(const TechniqueBands& bands);
     void wipeChalk();
 
     Trainer& trainer_;
@@ -68,6 +70,7 @@ class LessonScene : private StepWatcher {
                                   ///< drops the request
     ArcAppearance sight_;
     std::optional<ChalkLine> chalk_; ///< on a plate without a joint
+    std::vector<Solid> marks_;       ///< at a joint
     std::optional<WeldedPlaces> welded_;
     size_t wiped_ = 0; ///< WeldedPlaces::changes() of the chalk that is left
 };

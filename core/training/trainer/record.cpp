@@ -38,10 +38,10 @@ void appendComment(std::string& text, std::string_view word, std::string_view na
 
 } // namespace
 
-Record::Record(const std::filesystem::path& file, const AttemptHead& head, bool paced, bool replace)
-    : file_(file), arc_(head.arc), rod_(head.rod), paced_(paced) {
+Record::Record(const std::filesystem::path& file, const AttemptHead& head, const RecordKind& kind)
+    : file_(file), arc_(head.arc), rod_(head.rod), paced_(kind.paced) {
     std::error_code failure;
-    if (!replace && std::filesystem::is_regular_file(file, failure))
+    if (!kind.replace && std::filesystem::is_regular_file(file, failure))
         throw InputError(file, 0, "already exists; expected a new name, because a record replaces no file");
     stream_.open(file, std::ios::binary | std::ios::trunc);
     if (!stream_) throw InputError(file, 0, "cannot be written; expected a folder with write permission");
@@ -49,13 +49,34 @@ Record::Record(const std::filesystem::path& file, const AttemptHead& head, bool 
     text += kRecordFirstLine;
     text += '\n';
     appendHeadLines(text, "#", head);
-    appendStartValues(text, "#", head);
-    text += columns(head, paced);
+    if (kind.from.empty()) {
+        appendStartValues(text, "#", head);
+        text += columns(head, paced_);
+    } else {
+        continueFrom(kind.from, text);
+    }
     write(text);
     row_.reserve(kLongestRow);
     before_.reserve(kUsualNote);
     for (Waiting& step : steps_)
         step.before.reserve(kUsualNote);
+}
+
+/// Appends the start values and all rows of an ended record, and counts its rows.
+void Record::continueFrom(const std::filesystem::path& record, std::string& text) {
+    std::ifstream stream(record, std::ios::binary);
+    if (!stream) throw InputError(record, 0, "cannot be read; expected the record of the attempt before");
+    bool rows = false;
+    for (std::string line; std::getline(stream, line) && line.rfind("# ended ", 0) != 0;) {
+        const bool comment = line.rfind('#', 0) == 0;
+        const bool start = line.rfind("# value ", 0) == 0 || line.rfind("# chosen ", 0) == 0;
+        if (rows || start || !comment) text += line + '\n';
+        if (rows && !comment) {
+            ++rows_;
+            if (paced_) pace_.add(parseDouble(line.substr(line.rfind(',') + 1)).value_or(1));
+        }
+        rows = rows || !comment; // the first line without a mark names the columns
+    }
 }
 
 void Record::write(std::string_view text) {

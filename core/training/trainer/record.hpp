@@ -45,6 +45,13 @@ class RealTimeCount {
     double least_ = 1;
 };
 
+struct RecordKind {
+    bool paced = false;   ///< a person welds by the clock, and the column `real_time` holds the metal's speed
+    bool replace = false; ///< a file of this name may be replaced
+    /// Ended record whose values and rows are the new one's first ones; empty: none.
+    std::filesystem::path from = {};
+};
+
 /// A row is written when the figures of its own step have come from the GPU; until then it waits, in the order of the
 /// steps. Each row reaches the operating system as soon as it is complete, so that a sudden end loses only the waiting
 /// rows.
@@ -53,9 +60,9 @@ class Record {
     /// Rows that may wait for their figures.
     static constexpr size_t kWaiting = kStatisticsInFlight + 1;
 
-    /// Creates the file, which must not exist unless `replace`; `paced`: a person welds by the clock, and the column
-    /// `real_time` holds the metal's speed. Throws InputError if it cannot be written.
-    Record(const std::filesystem::path& file, const AttemptHead& head, bool paced, bool replace);
+    /// Creates the file, which must not exist unless it may be replaced. Throws InputError if it cannot be written, or
+    /// if RecordKind::from cannot be read.
+    Record(const std::filesystem::path& file, const AttemptHead& head, const RecordKind& kind);
 
     /// Notes an event after the last step: a line `# event NAME VALUE`.
     void event(std::string_view name, std::string_view value);
@@ -76,7 +83,7 @@ class Record {
     size_t rows() const { return rows_; }
 
   private:
-    void line(std::string_view word, std::string_view name, std::string_view value);
+    void continueFrom(const std::filesystem::path& record, std::string& text);
     void write(std::string_view text);
 
     struct Waiting {

@@ -141,7 +141,7 @@ void Trainer::record(const std::filesystem::path& file, const RecordContext& con
     head.driver = context.driver;
     head.person = context.person;
     head.personId = context.personId;
-    recorder_.writeCsv(file, head, context.paced, context.replace);
+    recorder_.writeCsv(file, head, {context.paced, context.replace, context.from});
 }
 
 void Trainer::stopRecord(std::string_view reason) {

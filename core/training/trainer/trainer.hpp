@@ -37,6 +37,7 @@ struct RecordContext {
     bool replace = true; ///< true: replaces a file of this name
     std::string person = {};   ///< name of the person who welds; empty: not named
     std::string personId = {}; ///< see AttemptHead
+    std::filesystem::path from = {}; ///< record of an ended attempt that had the same steps so far; empty: none
 };
 
 /// Watches the steps of a lesson, on the thread that makes them.

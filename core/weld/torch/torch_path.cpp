@@ -56,6 +56,13 @@ std::optional<double> TorchPath::firstPull() const {
     return std::nullopt;
 }
 
+std::optional<Weave> TorchPath::weave() const {
+    for (const TorchMove& move : moves_)
+        if (move.weaveHalfSwings > 0)
+            return Weave{move.weaveWidth, move.weaveHalfSwings / (2 * move.duration), move.weaveDwell};
+    return std::nullopt;
+}
+
 TorchSample TorchPath::sample(double time) const {
     TorchSample result;
     result.time = time;

@@ -6,6 +6,13 @@
 
 namespace meltpool {
 
+/// Swings across the seam.
+struct Weave {
+    double width = 0;     ///< m from toe to toe
+    double frequency = 0; ///< whole swings a second
+    double dwell = 0;     ///< s at each toe
+};
+
 class TorchPath {
   public:
     TorchPath() = default;
@@ -28,6 +35,9 @@ class TorchPath {
     /// Returns the time of the first pull of the trigger, s, to kTriggerGrain; nothing if it is never pulled.
     std::optional<double> firstPull() const;
     static constexpr double kTriggerGrain = 0.05; ///< s
+
+    /// Returns the first weave of the authored form; nothing for a path without one and for the recorded form.
+    std::optional<Weave> weave() const;
 
     /// Returns the time of the last moment, s; 0 for an empty path.
     double duration() const;

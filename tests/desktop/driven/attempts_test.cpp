@@ -5,6 +5,8 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/recording_bytes.hpp"
 
+#include <array>
+
 namespace meltpool::test {
 
 namespace fs = std::filesystem;
@@ -38,7 +40,11 @@ TEST_CASE("an attempt is named, deleted and brought back in the window's list") 
     window.click("home.attempts");
     window.waitFor("three rows", shows("home.attempt.2"));
     window.click("home.attempts.name");
-    window.waitFor("the line for a name", shows("home.attempts.title"));
+    const json asked = window.waitFor("the line for a name", shows("home.attempts.title"));
+    const auto line = asked.at("places").at("home.attempts.title").get<std::array<double, 4>>(),
+               button = asked.at("places").at("home.attempts.name").get<std::array<double, 4>>();
+    CHECK(line[0] == Approx(button[0]).margin(5)); // below its button
+    CHECK(line[1] - (button[1] + button[3]) < 20);
     window.xdotool({"type", "--delay", "60", "hot j"}); // letters that are keys elsewhere
     window.holdKey("Return", "the list again",
                    [](const json& s) { return !s.at("places").contains("home.attempts.title"); });

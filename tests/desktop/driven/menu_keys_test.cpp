@@ -4,6 +4,7 @@
 #include "tests/desktop/driven/scripted_gamepad.hpp"
 #include "tests/support/catch.hpp"
 
+#include <array>
 #include <functional>
 #include <string>
 
@@ -52,6 +53,11 @@ TEST_CASE(
     const std::string size = parameterIn(window.settle(), "view", "point_size");
     window.key("Right");
     window.waitFor("larger points", [&](const json& s) { return parameterIn(s, "view", "point_size") != size; });
+    window.key("Down"); // the sign that gives the value back is no stop
+    CHECK(window.settle().at("focus") != "view.point_size.back");
+    stepTo(window, "view.point_size", [&] { window.key("Up"); });
+    window.key("BackSpace");
+    window.waitFor("the first value", [&](const json& s) { return parameterIn(s, "view", "point_size") == size; });
     stepTo(window, "view.show_box", [&] { window.key("Down"); });
     const std::string box = parameterIn(window.settle(), "view", "show_box");
     window.key("space");
@@ -77,6 +83,21 @@ TEST_CASE(
     window.waitFor("help", [](const json& s) { return s.at("panels").at("help") == true; });
     window.key("Escape");
     window.waitFor("no help", [](const json& s) { return s.at("panels").at("help") == false; });
+}
+
+TEST_CASE("keys that go up a lesson's page bring its first values into sight") {
+    TrainerWindow window("keys-up", {.settings = "[window]\nwidth = 800\nheight = 600\n", .lesson = "tee-3f"});
+    stepTo(window, "start.start", [&] { window.key("Tab"); });
+    for (int i = 0; i < 40 && !focusAt("start.for_score")(window.settle()); ++i)
+        window.key("Up");
+    const json at = window.waitFor("the switch in sight", [](const json& s) {
+        return s.at("focus") == "start.for_score" && s.at("places").contains("start.for_score");
+    });
+    window.takePicture("keys-up");
+    const auto area = at.at("places").at("start.values").get<std::array<double, 4>>();
+    const auto item = window.settle().at("places").at("start.for_score").get<std::array<double, 4>>();
+    CHECK(item[1] >= area[1] - 1);
+    CHECK(item[1] + item[3] <= area[1] + area[3] + 1);
 }
 
 TEST_CASE("a gamepad works source, pause, menus and list of lessons; help and bar name its buttons") {

@@ -43,7 +43,7 @@ TEST_CASE("an attempt counts where it is scored; the verdict goes with it") {
     CHECK(bestScoreText({84.4, true, 1, true}) == "Best test: 84, accepted");
     CHECK(bestScoreText({0, false, 1, false, true}) == "Best so far: 0, changed values");
     CHECK(bestScoreText({70, true, 1, false, false, true}) == "Best so far: 70, accepted (with help)");
-    CHECK(bestScoreText({70, false, 1, false, false, false, 0.064}) == "Best so far: 70");
+    CHECK(bestScoreText({70, false, 1, false, false, false, false, 0.064}) == "Best so far: 70");
     judgement.realTime = 0.25;
     CHECK(countedScore(judgement)->realTime == 0.25);
     BestScore helped{70};
@@ -76,11 +76,14 @@ TEST_CASE("the better score of a lesson stays, with its help, from one start to 
     CHECK(again.find("gmaw-bead")->changed);
     REQUIRE(again.find("tee fillet \"2F\"") != nullptr);
     CHECK(again.find("gmaw-bead")->realTime == 1);
-    BestScore better{70, true, 1, false, false, false, 0.5};
+    BestScore better{70, true, 1, false, false, false, false, 0.5};
     better.chosen = "voltage 22 V";
+    better.swung = true;
     CHECK(again.offer("gmaw-bead", better));
     CHECK(BestScores(file).find("gmaw-bead")->realTime == 0.5);
     CHECK(BestScores(file).find("gmaw-bead")->chosen == "voltage 22 V");
+    CHECK(BestScores(file).find("gmaw-bead")->swung);
+    CHECK(bestScoreText(better).ends_with("(with help)"));
     CHECK(BestScores(file).find("tee fillet \"2F\"")->chosen.empty());
 }
 

@@ -1,5 +1,6 @@
 // Tests the torch at the desk: the technique measures the values that mouse, wheel and keys have set.
 #include "app/session/desk_torch.hpp"
+#include "core/training/judging/stretch.hpp"
 #include "core/training/lesson/lesson.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/places.hpp"
@@ -72,6 +73,12 @@ InputFrame pressed(Key key, int times = 1) {
     return input;
 }
 
+InputFrame struck(Key key) {
+    InputFrame input = pressed(key);
+    input.struck = input.pressed;
+    return input;
+}
+
 double degrees(double radians) {
     return radians * 180 / std::numbers::pi;
 }
@@ -108,6 +115,77 @@ TEST_CASE("the desk holds what the hand does not lead while it welds") {
     desk.parameters.guideSpeed = 6;
     desk.frames(5, along);
     CHECK(held(desk, TechniqueQuantity::travelSpeed));
+}
+
+TEST_CASE("the desk swings its torch as the demonstration does, by a key, and fades no cue by it") {
+    Desk plain("gmaw-bead");
+    plain.frame(struck(Key::g));
+    CHECK_FALSE(plain.torch.weave().on()); // its demonstration goes straight
+
+    Desk desk("tee-3f"), straight("tee-3f");
+    const Weave weave = *desk.lesson.torch.weave();
+    CHECK(weave.width == Approx(2e-3));
+    CHECK(weave.frequency == Approx(3).epsilon(0.03)); // a whole number of half swings
+    desk.parameters.guideSpeed = straight.parameters.guideSpeed = 4;
+    const SeamFrame seam = seamOf(desk.lesson.workpiece).at(0);
+    const auto swing = [&] { return glm::dvec3(desk.last.tip - straight.last.tip); };
+    const auto frame = [&](const InputFrame& input = {}) {
+        desk.frame(input);
+        straight.frame();
+    };
+    for (int i = 0; i < 10; ++i)
+        frame();
+    CHECK(glm::length(swing()) == 0);
+    CHECK_FALSE(desk.torch.weave().swung());
+
+    frame(struck(Key::g));
+    double least = 1, most = -1;
+    for (int i = 0; i < 100; ++i) {
+        frame();
+        least = std::min(least, glm::dot(swing(), seam.across));
+        most = std::max(most, glm::dot(swing(), seam.across));
+        CHECK(glm::dot(swing(), seam.tangent) == Approx(0).margin(1e-6));
+        CHECK(glm::dot(swing(), glm::dvec3(desk.last.axis())) == Approx(0).margin(1e-6));
+    }
+    CHECK(desk.torch.weave().swung());
+    CHECK(most == Approx(1e-3).epsilon(0.05));
+    CHECK(least == Approx(-1e-3).epsilon(0.05));
+    const auto& steps = desk.technique.steps();
+    const auto found = analyseStretch(steps, desk.technique.settings(), 0)[steps.size() - 60].values;
+    CHECK(found[TechniqueQuantity::weaveWidth] == Approx(weave.width).epsilon(0.1));
+    CHECK(found[TechniqueQuantity::weaveFrequency] == Approx(weave.frequency).epsilon(0.05));
+    CHECK(found[TechniqueQuantity::aim] == Approx(0).margin(0.15e-3));
+    CHECK(desk.torch.held().all()); // nothing of it is the hand's
+
+    frame(struck(Key::g));
+    for (int i = 0; i < 20; ++i)
+        frame();
+    CHECK(glm::length(swing()) == 0); // the swing has ended in the middle
+    desk.torch.begin(desk.lesson);
+    CHECK_FALSE(desk.torch.weave().swung());
+}
+
+TEST_CASE("a torch that was put aside comes back when the hand leads it or welds, not by keys that were let go") {
+    Desk desk("gmaw-bead");
+    InputFrame held = pressed(Key::right);
+    held.held.set(static_cast<size_t>(Key::right));
+    held.held.set(static_cast<size_t>(Key::shift));
+    desk.frames(10, held);
+    for (int i = 0; i < 40; ++i)
+        desk.frame({}, false); // the keys' speed runs out
+    desk.torch.putAside();
+    desk.frame({}, false);
+    CHECK(desk.torch.aside());
+    InputFrame mouse;
+    mouse.mouseMove = {1, 0};
+    desk.frame(mouse, false);
+    CHECK_FALSE(desk.torch.aside());
+    desk.torch.putAside();
+    desk.frame();
+    CHECK_FALSE(desk.torch.aside());
+    desk.torch.putAside();
+    desk.torch.begin(desk.lesson);
+    CHECK_FALSE(desk.torch.aside());
 }
 
 TEST_CASE("a guided desk torch is measured as it is held, on plate, tee and under each process") {

@@ -23,7 +23,7 @@ std::vector<KeySituation> situations() {
     const KeySituation weld{.lesson = true, .seam = true, .arc = true, .judges = true, .redoes = true};
     std::vector<KeySituation> all(9, weld);
     all[1].rod = all[1].fadedCues = true;
-    all[2].caught = true;
+    all[2].caught = all[2].weaves = true;
     all[3].looking = true;
     all[4].headset = all[4].next = true;
     all[5] = {.lesson = true, .source = true, .cold = true};
@@ -83,6 +83,8 @@ TEST_CASE("the bar names what the activity uses and nothing else") {
     const KeyGuide weld(all[0]), rod(all[1]), classic(all[5]), demonstration(all[6]), cut(all[8]);
     CHECK(has(rod, Key::r, true));
     CHECK_FALSE(has(weld, Key::r));
+    CHECK(has(KeyGuide(all[2]), Key::g, true));
+    CHECK_FALSE(has(weld, Key::g));
     CHECK(tells(weld, "help.weld_while_held"));
     CHECK_FALSE(tells(weld, "help.heat_while_held"));
     CHECK_FALSE(has(weld, Key::f)); // the flame's key

@@ -1,11 +1,14 @@
 // The camera at a lesson's start: seam and torch of every lesson are in the part of the window that no panel covers.
 #include "app/session/start_camera.hpp"
 #include "core/training/lesson/lesson.hpp"
+#include "core/training/trainer/classic_model.hpp"
+#include "core/weld/workpiece/position.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/places.hpp"
 
 #include <glm/vec4.hpp>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace meltpool {
@@ -54,6 +57,12 @@ TEST_CASE("seam and torch of every lesson begin in the part of the window that n
             camera.frame(controls, window.covered(), window.aspect());
             for (const glm::vec3& point : pointsToShow(lesson, torch))
                 CHECK(isUncovered(controls, window, point));
+            if (!lesson.technique || static_cast<WorkpieceKind>(lesson.workpiece.kind) == WorkpieceKind::Pipe) continue;
+            // A weld runs on past the counted length.
+            const Seam seam = seamOf(lesson.workpiece);
+            const double end = std::min(seam.end(), lesson.technique->lengthToMm * 1e-3 + 5e-3);
+            const glm::vec3 runOn = fixtureOf(lesson.workpiece).turn * glm::vec3(seam.at(end).point) / kClassicUnit;
+            CHECK(isUncovered(controls, window, runOn));
         }
         ++lessons;
     }

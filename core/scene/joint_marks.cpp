@@ -1,0 +1,78 @@
+#include "core/scene/joint_marks.hpp"
+
+#include "core/scene/chalk_line.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace meltpool {
+
+namespace {
+
+constexpr float kNearest = 5e-3F;  ///< m across the line, begin of a mark
+constexpr float kFarthest = 9e-3F; ///< m across the line, end of a mark
+constexpr float kAbove = 0.05F;    ///< m over the joint, from where the faces are seen
+constexpr float kParallel = 1e-6F;
+
+/// A place on a face.
+struct FacePoint {
+    glm::vec3 place{0}; ///< m
+    glm::vec3 normal{0};
+};
+
+/// Returns the place where a ray enters the block; nothing if it passes it.
+std::optional<float> entryOf(const WorkpieceBlock& block, const glm::vec3& from, const glm::vec3& way,
+                             glm::vec3& normal) {
+    float enters = 0, leaves = std::numeric_limits<float>::max();
+    for (int axis = 0; axis < 3; ++axis) {
+        if (std::abs(way[axis]) < kParallel) {
+            if (from[axis] < block.low[axis] || from[axis] > block.high[axis]) return std::nullopt;
+            continue;
+        }
+        const float a = (block.low[axis] - from[axis]) / way[axis], b = (block.high[axis] - from[axis]) / way[axis];
+        if (std::min(a, b) > enters) {
+            enters = std::min(a, b);
+            normal = glm::vec3(0);
+            normal[axis] = way[axis] > 0 ? -1.0F : 1.0F;
+        }
+        leaves = std::min(leaves, std::max(a, b));
+    }
+    if (enters <= 0 || enters > leaves) return std::nullopt;
+    return enters;
+}
+
+/// Returns the face that a look down into the joint meets `aside` m across the line.
+std::optional<FacePoint> faceAt(const JointEnd& end, float aside, std::span<const WorkpieceBlock> blocks) {
+    const glm::vec3 over = end.point + end.across * aside;
+    if (blocks.empty()) return FacePoint{over, end.up};
+    const glm::vec3 from = over + end.up * kAbove;
+    std::optional<FacePoint> face;
+    float nearest = 2 * kAbove;
+    for (const WorkpieceBlock& block : blocks) {
+        glm::vec3 normal(0);
+        const auto entry = entryOf(block, from, -end.up, normal);
+        if (!entry || *entry >= nearest) continue;
+        nearest = *entry;
+        face = FacePoint{from - end.up * nearest, normal};
+    }
+    return face;
+}
+
+} // namespace
+
+std::vector<Solid> jointMarks(std::span<const JointEnd> ends, std::span<const WorkpieceBlock> blocks) {
+    std::vector<Solid> marks;
+    for (const JointEnd& end : ends)
+        for (const float side : {-1.0F, 1.0F}) {
+            const auto near = faceAt(end, side * kNearest, blocks), far = faceAt(end, side * kFarthest, blocks);
+            if (!near || !far || near->normal != far->normal) continue;
+            marks.push_back(chalkStroke(near->place, far->place, near->normal));
+        }
+    return marks;
+}
+
+} // namespace meltpool

@@ -1,0 +1,76 @@
+// Words and tooltips of controls: no word is cut off, and a tooltip covers no neighbour of the control that keys chose.
+#include "app/ui/widgets.hpp"
+
+#include "tests/desktop/parts/drawn_interface.hpp"
+#include "tests/support/catch.hpp"
+
+#include <algorithm>
+#include <cfloat>
+#include <string>
+#include <vector>
+
+namespace meltpool::test {
+
+namespace {
+
+/// Left and right end of what a window of this kind has drawn in the last frame; both 0 without one.
+struct Drawn {
+    float left = 0, right = 0;
+};
+
+Drawn tooltipDrawn() {
+    Drawn drawn{FLT_MAX, 0};
+    const ImDrawData& data = *ImGui::GetDrawData();
+    for (int i = 0; i < data.CmdListsCount; ++i) {
+        const ImDrawList& list = *data.CmdLists[i];
+        if (list._OwnerName == nullptr || std::string(list._OwnerName).find("Tooltip") == std::string::npos) continue;
+        for (const ImDrawVert& corner : list.VtxBuffer) {
+            drawn.left = std::min(drawn.left, corner.pos.x);
+            drawn.right = std::max(drawn.right, corner.pos.x);
+        }
+    }
+    return drawn;
+}
+
+} // namespace
+
+TEST_CASE("a text is broken at whole words, and what has no room is marked") {
+    DrawnInterface interface;
+    interface.draw([&](ui::Context& context) {
+        ImFont& font = *context.fonts.small;
+        const float size = ui::loadedSize(font);
+        const std::string text = "Best so far: 97, accepted (with help)";
+        const float whole = font.CalcTextSizeA(size, FLT_MAX, 0, text.c_str()).x;
+        CHECK(ui::wholeWords(font, size, text, whole + 1, 1) == std::vector<std::string>{text});
+        const auto one = ui::wholeWords(font, size, text, 0.85f * whole, 1);
+        REQUIRE(one.size() == 1);
+        CHECK(one[0] == "Best so far: 97, accepted ..");
+        const auto two = ui::wholeWords(font, size, text, 0.85f * whole, 2);
+        REQUIRE(two.size() == 2);
+        CHECK(two[0] + " " + two[1] == text);
+        for (const std::string& line : two)
+            CHECK(font.CalcTextSizeA(size, FLT_MAX, 0, line.c_str()).x <= 0.85f * whole);
+    });
+}
+
+TEST_CASE("the tooltip of a control that keys have chosen lies beside the panel") {
+    DrawnInterface interface;
+    ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+#if IMGUI_VERSION_NUM < 18700
+    for (int key = 0; key < ImGuiKey_COUNT; ++key)
+        ImGui::GetIO().KeyMap[key] = key;
+#endif
+    const auto content = [](ui::Context& context) {
+        ui::button(context, "first", "First", ui::ButtonKind::plain, 100, "What the first button does");
+        ui::button(context, "second", "Second", ui::ButtonKind::plain, 100, "What the second button does");
+    };
+    interface.draw(content);
+    interface.strike(ImGuiKey_DownArrow, content);
+    for (int i = 0; i < 60 && tooltipDrawn().right == 0; ++i)
+        interface.draw(content);
+    CHECK_FALSE(interface.context().focus.empty());
+    CHECK(tooltipDrawn().right > 0);
+    CHECK(tooltipDrawn().left >= interface.size.x);
+}
+
+} // namespace meltpool::test
