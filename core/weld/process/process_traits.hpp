@@ -11,6 +11,8 @@
 
 namespace meltpool {
 
+struct ShieldingGas;
+
 /// Distance that the hand controls and the score judges, TechniqueQuantity::distance. ctwd: ArcState::distance, of wire
 /// processes from the contact tip to the work (of flame and iron from the tip). arcLength: ArcState::length, of
 /// processes with an electrode in the torch.
@@ -100,6 +102,8 @@ struct Equipment {
     double spatter = 0;
     FreezingRipples ripples{};
     std::array<MachineDisplay, 2> displays{};
+    const ShieldingGas* gas = nullptr; ///< gas from the torch's nozzle; null: the process has none
+    double gasFlow = 0;                ///< L/min, set on the machine; 0 also where the machine has no such setting
 
     /// Returns the volume of wire fed, m³/s.
     double wireRate() const;
