@@ -21,17 +21,12 @@ constexpr double kMm = 1e-3, kMetresPerMinute = 1.0 / 60;
 constexpr std::string_view kAny = "any";
 
 constexpr std::array<std::string_view, 21> kColumns{
-    "id",           "source",       "mark",       "process",    "transfer",        "joint",  "position",
-    "metal",        "thickness_mm", "gap_mm",     "electrode",  "diameter_mm",     "rod_mm", "gas",
-    "feed_m_min",   "voltage",      "current",    "speed_mm_s", "tip_distance_mm", "leg_mm", "note"};
+    "id",         "source",       "mark",    "process",    "transfer",        "joint",  "position",
+    "metal",      "thickness_mm", "gap_mm",  "electrode",  "diameter_mm",     "rod_mm", "gas",
+    "feed_m_min", "voltage",      "current", "speed_mm_s", "tip_distance_mm", "leg_mm", "note"};
 
 constexpr std::array<std::string_view, 2> kMarks{"read", "memory"};
 constexpr std::array<std::string_view, 3> kTransfers{"dip", "globular", "spray"};
-
-std::span<const std::string_view> workpieceNames() {
-    WorkpieceParameters parameters;
-    return findParameter(describe(parameters), "workpiece")->choices;
-}
 
 std::string joined(std::span<const std::string_view> names) {
     std::string text;
@@ -80,8 +75,7 @@ class ChartReader {
 
     std::string oneOf(std::string_view column, std::span<const std::string_view> names) const {
         const std::string_view name = cell(column);
-        if (std::find(names.begin(), names.end(), name) == names.end())
-            refuse(column, name, "one of " + joined(names));
+        if (std::find(names.begin(), names.end(), name) == names.end()) refuse(column, name, "one of " + joined(names));
         return std::string(name);
     }
 
@@ -170,7 +164,16 @@ bool contains(const std::vector<std::string>& names, std::string_view name) {
     return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Returns the position as charts name it: plates that lie as they are made are a level fillet or a level butt.
+} // namespace
+
+bool ChartRange::holds(double value, double share) const {
+    return value >= least * (1 - share) && value <= most * (1 + share);
+}
+
+bool ChartRow::isFor(const ShieldingGas& gas) const {
+    return std::find(gases.begin(), gases.end(), &gas) != gases.end();
+}
+
 std::string_view chartPosition(const WorkpieceParameters& plates) {
     const auto position = static_cast<WeldPosition>(plates.position);
     const auto kind = static_cast<WorkpieceKind>(plates.kind);
@@ -181,19 +184,9 @@ std::string_view chartPosition(const WorkpieceParameters& plates) {
     return name(positionFits(kind, WeldPosition::f2) ? WeldPosition::f2 : WeldPosition::g1);
 }
 
-std::string parameterOf(const ParameterList& list, std::string_view key) {
-    const Parameter* found = findParameter(list, key);
-    return found == nullptr ? std::string() : parameterText(*found);
-}
-
-} // namespace
-
-bool ChartRange::holds(double value, double share) const {
-    return value >= least * (1 - share) && value <= most * (1 + share);
-}
-
-bool ChartRow::isFor(const ShieldingGas& gas) const {
-    return std::find(gases.begin(), gases.end(), &gas) != gases.end();
+std::span<const std::string_view> workpieceNames() {
+    WorkpieceParameters parameters;
+    return findParameter(describe(parameters), "workpiece")->choices;
 }
 
 std::span<const std::string_view> chartColumns() {
@@ -241,10 +234,7 @@ StartingValues startingValues(const ChartRow& row, double diameter, const Shield
 
 std::vector<StartingValues> fittingStartingValues(std::span<const ChartRow> rows, const WorkpieceParameters& plates,
                                                   const ProcessSettings& process) {
-    ProcessSettings settings = process;
-    const ParameterList list = describe(settings);
     const Equipment tools = equipmentOf(process);
-    const std::string electrode = parameterOf(list, "electrode");
     const double thickness = static_cast<double>(plates.thicknessMm) * kMm;
     const double consumable = std::max(tools.wire, tools.electrode);
     const auto fits = [&](const ChartRow& row) {
@@ -252,7 +242,7 @@ std::vector<StartingValues> fittingStartingValues(std::span<const ChartRow> rows
         if (!contains(row.joints, workpieceNames()[static_cast<size_t>(plates.kind)])) return false;
         if (!contains(row.positions, chartPosition(plates))) return false;
         if (row.thickness && !row.thickness->holds(thickness, kChartSlack)) return false;
-        if (!row.electrode.empty() && row.electrode != electrode) return false;
+        if (!row.electrode.empty() && row.electrode != tools.electrodeName) return false;
         if (consumable > 0 && row.diameter && !row.diameter->holds(consumable, kWireSlack)) return false;
         return gasVoltage(row, tools.gas).has_value();
     };

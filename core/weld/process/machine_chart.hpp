@@ -27,11 +27,11 @@ struct ChartRange {
 
 /// One row of a chart, SI. An empty cell makes an empty value: the maker does not give it.
 struct ChartRow {
-    std::string id;       ///< unique in its file
-    std::string source;   ///< maker, document, page
-    bool read = false;    ///< true: read in the source; false: trade knowledge from memory
-    std::string process;  ///< "gmaw", "gtaw" or "smaw"
-    std::string transfer; ///< "dip", "globular" or "spray" of a wire; empty: not given, or no wire
+    std::string id;                     ///< unique in its file
+    std::string source;                 ///< maker, document, page
+    bool read = false;                  ///< true: read in the source; false: trade knowledge from memory
+    std::string process;                ///< "gmaw", "gtaw" or "smaw"
+    std::string transfer;               ///< "dip", "globular" or "spray" of a wire; empty: not given, or no wire
     std::vector<std::string> joints;    ///< names of workpieces; empty: any
     std::vector<std::string> positions; ///< names of positions; empty: any
     std::string metal;                  ///< a shipped material
@@ -81,6 +81,13 @@ StartingValues startingValues(const ChartRow& row, double diameter, const Shield
 /// other way round, but not in spray.
 std::vector<StartingValues> fittingStartingValues(std::span<const ChartRow> rows, const WorkpieceParameters& plates,
                                                   const ProcessSettings& process);
+
+/// Returns the position as charts name it: plates that lie as they are made are a level fillet, 2F, or a level seam,
+/// 1G.
+std::string_view chartPosition(const WorkpieceParameters& plates);
+
+/// Returns the names of workpieces, in the order of WorkpieceKind.
+std::span<const std::string_view> workpieceNames();
 
 /// Share by which plates may differ in thickness from a row's. No source: chosen; makers' rows are a factor of 1.25 to
 /// 1.6 apart.

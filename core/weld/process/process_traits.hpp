@@ -95,6 +95,7 @@ struct Equipment {
     double wire = 0;            ///< m, diameter of the wire that the torch feeds; 0: none
     double wireSpeed = 0;       ///< m/s of this wire
     double electrode = 0;       ///< m, core diameter of a covered electrode; 0: none
+    std::string_view electrodeName{}; ///< its classification in lessons, such as "e7018"; empty: none
     double electrodeLength = 0; ///< m, length of a new one
     double heldBehind = 0;      ///< m, see heldBehind()
     /// 1/s, drops that an open arc throws; 0: the process throws none. No source gives numbers of drops; all are chosen

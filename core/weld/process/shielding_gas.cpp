@@ -1,5 +1,6 @@
 #include "core/weld/process/shielding_gas.hpp"
 
+#include "core/base/words.hpp"
 #include "core/weld/process/weld_constants.hpp"
 
 #include <algorithm>
@@ -45,6 +46,10 @@ std::span<const std::string_view> shieldingGasNames() {
 const ShieldingGas* findShieldingGas(std::string_view name) {
     const auto found = std::find(kNames.begin(), kNames.end(), name);
     return found == kNames.end() ? nullptr : &kGases[static_cast<size_t>(found - kNames.begin())];
+}
+
+std::string_view gasText(const ShieldingGas& gas) {
+    return phraseOr(ShortText{"parameter.gas.choice.", gas.name}, gas.name);
 }
 
 } // namespace meltpool

@@ -32,6 +32,8 @@ const ShieldingGas& shieldingGas(GasKind kind);
 std::span<const std::string_view> shieldingGasNames();
 /// Returns the gas of this name; null if there is none.
 const ShieldingGas* findShieldingGas(std::string_view name);
+/// Returns the name of a gas for people, in the chosen language.
+std::string_view gasText(const ShieldingGas& gas);
 
 /// L/min of gas for each millimetre of the wire's diameter that a maker recommends for carbon steel (ESAB Warrior 750i,
 /// manual 0463 730 001, p. 24; R). Panasonic's charts have 10 to 15 L/min for wires of 0.4 to 1.2 mm (YD-350GL4, p. 52;

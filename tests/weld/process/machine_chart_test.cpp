@@ -120,8 +120,7 @@ TEST_CASE("the shipped rows have sources, shipped metals and settings of their p
 }
 
 TEST_CASE("a row without a feed takes the feed that melts at its current", "[weld][chart]") {
-    const StartingValues values =
-        startingValues(shippedRow("PAN-FM5"), 1.2e-3, &shieldingGas(GasKind::arCo2), 15e-3);
+    const StartingValues values = startingValues(shippedRow("PAN-FM5"), 1.2e-3, &shieldingGas(GasKind::arCo2), 15e-3);
     REQUIRE(values.feed.has_value());
     CHECK(values.feedFromCurrent);
     CHECK(values.gasVoltage == 0);
