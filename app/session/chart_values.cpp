@@ -56,7 +56,8 @@ std::string listText(const std::vector<std::string>& names, std::string_view key
 
 std::string titleOf(const ChartRow& row) {
     const std::string joints = listText(row.joints, "workpiece");
-    if (!row.thickness) return row.joints.empty() ? phrase("chart.row.any") : phrase("chart.row.joints", {{"joints", joints}});
+    if (!row.thickness)
+        return row.joints.empty() ? phrase("chart.row.any") : phrase("chart.row.joints", {{"joints", joints}});
     const std::string thickness = rangeText(*row.thickness, kInMm, 1);
     if (row.joints.empty()) return phrase("chart.row.thickness", {{"thickness", thickness}});
     return phrase("chart.row.both", {{"joints", joints}, {"thickness", thickness}});
@@ -69,15 +70,14 @@ void addFigure(ShownChartRow& shown, std::string_view name, const std::optional<
     const std::string middle = numberText(range->middle() * scale, digits);
     const std::string all = rangeText(*range, scale, digits);
     shown.figures.push_back(
-        {phraseOf("chart.label", name), all == middle ? phrase("chart.value", {{"middle", middle}, {"unit", unit}})
-                                                      : phrase("chart.value_of_range", {{"middle", middle},
-                                                                                        {"range", all},
-                                                                                        {"unit", unit}})});
+        {phraseOf("chart.label", name),
+         all == middle ? phrase("chart.value", {{"middle", middle}, {"unit", unit}})
+                       : phrase("chart.value_of_range", {{"middle", middle}, {"range", all}, {"unit", unit}})});
 }
 
 ShownChartRow shownRow(const StartingValues& values) {
     const ChartRow& row = *values.row;
-    ShownChartRow shown{values, titleOf(row), {}, {}, {}};
+    ShownChartRow shown{values, capitalised(titleOf(row)), {}, {}, {}};
     addFigure(shown, "voltage", values.voltage, 1, 1, "V");
     addFigure(shown, "feed", values.feed, kMetresPerMinute, 1, "m/min");
     addFigure(shown, "current", values.current, 1, 0, "A");
@@ -86,7 +86,8 @@ ShownChartRow shownRow(const StartingValues& values) {
     addFigure(shown, "gap", row.gap, kInMm, 1, "mm");
     addFigure(shown, "leg", row.leg, kInMm, 1, "mm");
     addFigure(shown, "rod", row.rod, kInMm, 1, "mm");
-    shown.source = row.note.empty() ? row.source : phrase("chart.source_with_note", {{"source", row.source}, {"note", row.note}});
+    shown.source =
+        row.note.empty() ? row.source : phrase("chart.source_with_note", {{"source", row.source}, {"note", row.note}});
     if (!row.read) shown.notes.push_back(phrase("chart.note.memory"));
     if (values.gasVoltage != 0)
         shown.notes.push_back(
@@ -103,7 +104,9 @@ std::string noRow(const Lesson& lesson) {
     const std::string thickness = numberText(static_cast<double>(lesson.workpiece.thicknessMm), 1);
     const std::string diameter = numberText(std::max(tools.wire, tools.electrode) * kInMm, 1);
     const std::string_view gas = tools.gas == nullptr ? std::string_view() : gasText(*tools.gas);
-    const std::string_view kind = tools.wire > 0 ? "chart.none.wire" : tools.electrode > 0 ? "chart.none.electrode" : "chart.none.tungsten";
+    const std::string_view kind = tools.wire > 0        ? "chart.none.wire"
+                                  : tools.electrode > 0 ? "chart.none.electrode"
+                                                        : "chart.none.tungsten";
     return phrase(kind, {{"joint", joint},
                          {"position", chartPosition(lesson.workpiece)},
                          {"thickness", thickness},
@@ -121,9 +124,16 @@ bool ChartValues::applies() const {
 
 ChartValues::Asked ChartValues::asked() const {
     const Equipment tools = equipmentOf(lesson_.process);
-    return {lesson_.workpiece.kind, lesson_.workpiece.position, lesson_.process.kind, lesson_.workpiece.thicknessMm,
-            tools.wire,             tools.electrode,            tools.heldBehind,     tools.electrodeName,
-            tools.gas,              chosenUnits()};
+    return {lesson_.workpiece.kind,
+            lesson_.workpiece.position,
+            lesson_.process.kind,
+            lesson_.workpiece.thicknessMm,
+            tools.wire,
+            tools.electrode,
+            tools.heldBehind,
+            tools.electrodeName,
+            tools.gas,
+            chosenUnits()};
 }
 
 void ChartValues::update() {

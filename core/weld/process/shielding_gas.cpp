@@ -12,7 +12,8 @@ namespace {
 constexpr std::array<std::string_view, 5> kNames{"ar_co2", "co2", "ar_o2", "ar", "none"};
 
 constexpr std::array<ShieldingGas, kNames.size()> kGases{{
-    // 18 to 25 % of carbon dioxide.
+    // 18 to 25 % of carbon dioxide. The logged beads, on which the arc was fitted, do not name their gas: taken to be
+    // this one (I), the usual one for such a wire.
     {.name = kNames[0], .sprayCurrent = kSprayCurrent},
     // Charts of dip transfer in carbon dioxide have 1 to 2 V more than those in 75 % argon (footnote in Lincoln's data
     // sheet of SuperArc L-56; R). Above some 20 % of it no wire sprays (M). The number of drops is chosen: "medium

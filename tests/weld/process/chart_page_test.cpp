@@ -76,28 +76,28 @@ std::string chartTable(const std::vector<ChartRow>& rows, std::string_view proce
     std::vector<const ChartRow*> chosen;
     for (const ChartRow& row : rows)
         if (row.process == process) chosen.push_back(&row);
-    return tableOf(
-        chosen, {{"joint", [](const ChartRow& row) { return joined(row.joints); }},
-                 {"position", [](const ChartRow& row) { return joined(row.positions); }},
-                 {"metal", [](const ChartRow& row) { return row.metal == "s235" ? std::string() : row.metal; }},
-                 {"plate, mm", [](const ChartRow& row) { return cell(row.thickness, kInMm); }},
-                 {"gap, mm", [](const ChartRow& row) { return cell(row.gap, kInMm); }},
-                 {"electrode", [](const ChartRow& row) { return row.electrode; }},
-                 {"wire or electrode, mm", [](const ChartRow& row) { return cell(row.diameter, kInMm); }},
-                 {"rod, mm", [](const ChartRow& row) { return cell(row.rod, kInMm); }},
-                 {"gas", [&](const ChartRow& row) { return process == "gtaw" ? std::string() : gasesOf(row); }},
-                 {"transfer", [](const ChartRow& row) { return row.transfer; }},
-                 {"feed, m/min", [](const ChartRow& row) { return cell(row.feed, kMetresPerMinute); }},
-                 {"V", [](const ChartRow& row) { return cell(row.voltage, 1); }},
-                 {"A", [](const ChartRow& row) { return cell(row.current, 1); }},
-                 {"travel, mm/s", [](const ChartRow& row) { return cell(row.speed, kInMm); }},
-                 {"tip, mm", [](const ChartRow& row) { return cell(row.tipDistance, kInMm); }},
-                 {"leg, mm", [](const ChartRow& row) { return cell(row.leg, kInMm); }},
-                 {"remark", [](const ChartRow& row) { return row.note; }},
-                 {"source", [&](const ChartRow& row) {
-                      const auto found = std::find(sources.begin(), sources.end(), row.source);
-                      return std::to_string(found - sources.begin() + 1) + (row.read ? "" : " (M)");
-                  }}});
+    return tableOf(chosen,
+                   {{"joint", [](const ChartRow& row) { return joined(row.joints); }},
+                    {"position", [](const ChartRow& row) { return joined(row.positions); }},
+                    {"metal", [](const ChartRow& row) { return row.metal == "s235" ? std::string() : row.metal; }},
+                    {"plate, mm", [](const ChartRow& row) { return cell(row.thickness, kInMm); }},
+                    {"gap, mm", [](const ChartRow& row) { return cell(row.gap, kInMm); }},
+                    {"electrode", [](const ChartRow& row) { return row.electrode; }},
+                    {"wire or electrode, mm", [](const ChartRow& row) { return cell(row.diameter, kInMm); }},
+                    {"rod, mm", [](const ChartRow& row) { return cell(row.rod, kInMm); }},
+                    {"gas", [&](const ChartRow& row) { return process == "gtaw" ? std::string() : gasesOf(row); }},
+                    {"transfer", [](const ChartRow& row) { return row.transfer; }},
+                    {"feed, m/min", [](const ChartRow& row) { return cell(row.feed, kMetresPerMinute); }},
+                    {"V", [](const ChartRow& row) { return cell(row.voltage, 1); }},
+                    {"A", [](const ChartRow& row) { return cell(row.current, 1); }},
+                    {"travel, mm/s", [](const ChartRow& row) { return cell(row.speed, kInMm); }},
+                    {"tip, mm", [](const ChartRow& row) { return cell(row.tipDistance, kInMm); }},
+                    {"leg, mm", [](const ChartRow& row) { return cell(row.leg, kInMm); }},
+                    {"remark", [](const ChartRow& row) { return row.note; }},
+                    {"source", [&](const ChartRow& row) {
+                         const auto found = std::find(sources.begin(), sources.end(), row.source);
+                         return std::to_string(found - sources.begin() + 1) + (row.read ? "" : " (M)");
+                     }}});
 }
 
 std::string sourceList(const std::vector<ChartRow>& rows) {
