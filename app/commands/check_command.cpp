@@ -16,6 +16,7 @@
 #include "core/gl/software_driver/software_driver.hpp"
 #include "core/training/lesson/lesson_check.hpp"
 #include "core/training/trainer/trainer.hpp"
+#include "core/weld/process/shielding_gas.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -77,7 +78,8 @@ Judgement weld(const LessonCheck& check, gl::ShaderLibrary& shaders) {
 }
 
 /// Prints the score and the measurements in one line.
-void printOutcome(const CheckOutcome& outcome, const Judgement& judgement) {
+/// `gas`: see Equipment::gas.
+void printOutcome(const CheckOutcome& outcome, const Judgement& judgement, const ShieldingGas* gas) {
     std::string score = judgement.score && judgement.score->scored
                             ? phrase("run.check.score", {{"points", PhraseNumber(judgement.score->total)}})
                             : phrase("run.check.no_score");
@@ -85,8 +87,11 @@ void printOutcome(const CheckOutcome& outcome, const Judgement& judgement) {
         score += phrase("list.separator") +
                  phrase(judgement.verdict->accepted ? "run.check.accepted" : "run.check.not_accepted");
     if (isQuiet() && outcome.passed()) return;
-    std::printf("%-32s %-28s %s\n", printable(outcome.name, 80).c_str(), score.c_str(),
-                phrase(outcome.passed() ? "run.check.as_expected" : "run.check.not_as_expected").c_str());
+    const std::string expected =
+        gas == nullptr ? phrase(outcome.passed() ? "run.check.as_expected" : "run.check.not_as_expected")
+                       : phrase(outcome.passed() ? "run.check.as_expected_in_gas" : "run.check.not_as_expected_in_gas",
+                                {{"gas", gasText(*gas)}});
+    std::printf("%-32s %-28s %s\n", printable(outcome.name, 80).c_str(), score.c_str(), expected.c_str());
     for (const std::string& fault : outcome.faults())
         std::printf("    %s\n", printable(fault, 1000).c_str());
     std::fflush(stdout);
@@ -105,7 +110,7 @@ CheckOutcome run(const LessonCheck& check, gl::ShaderLibrary& shaders) {
         outcome.error = check.file.string() + ": " + fault.what();
     }
     outcome.wallSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    printOutcome(outcome, judgement);
+    printOutcome(outcome, judgement, equipmentOf(check.lesson.process).gas);
     return outcome;
 }
 

@@ -105,8 +105,7 @@ MenuRequest DesktopMenus::drawPanels(const DesktopMenuContent& content) {
             asked != MenuRequest::none)
             request = asked;
     if (panels.view) ui::viewMenu(context, content.viewSections);
-    if (panels.simulation && !machineWaits_)
-        ui::machineMenu(context, content.session.sections().simulation, content.controls);
+    if (panels.simulation && !machineWaits_) ui::machineMenu(context, content.session.sections(), content.controls);
     if (panels.timings)
         ui::timingsPanel(context, content.profiler, content.figures, content.frameMs, content.driver, panels.view);
     return request;

@@ -180,7 +180,7 @@ void HeadsetMenu::pagePart(ui::Context& context, LessonSession& session, const H
             answer_.request = asked;
     if (page_ == kMachine) {
         if (session.running())
-            ui::machinePart(context, session.sections().simulation);
+            ui::machinePart(context, session.sections());
         else
             ui::setupPart(context, session);
     }

@@ -4,6 +4,7 @@
 #include "app/report/section_drawing.hpp"
 #include "app/report/svg_text.hpp"
 #include "core/base/words.hpp"
+#include "core/weld/process/shielding_gas.hpp"
 
 #include <algorithm>
 
@@ -129,6 +130,18 @@ std::string sectionCaption(const json& result) {
     return at ? phrase("page.picture.section_at", {{"place", PhraseNumber(*at, 1)}}) : phrase("page.picture.section");
 }
 
+/// Returns the gas of the weld with its flow; empty without one, as in results of programs that had no such setting.
+std::string gasOf(const json& result) {
+    const json& parameters = partIn(result, "parameters");
+    const ShieldingGas* gas = findShieldingGas(rawIn(parameters, "gas"));
+    if (gas == nullptr) return {};
+    const auto flow = numberIn(parameters, "gas_flow_l_min");
+    const std::string name = escaped(gasText(*gas));
+    return flow && gas != &shieldingGas(GasKind::none)
+               ? phrase("page.gas_with_flow", {{"gas", name}, {"flow", numberText(*flow, 1)}})
+               : name;
+}
+
 } // namespace
 
 std::string headPart(const RunResults& results) {
@@ -139,6 +152,7 @@ std::string headPart(const RunResults& results) {
     html += fact("person", textIn(attempt, "person"));
     html += fact("lesson", key) + fact("kind", kindOf(result)) + fact("date", dateOf(result));
     html += fact("settings", textIn(result, "chosen_text"));
+    html += fact("gas", gasOf(result));
     html += fact("sizes", textIn(result, "simulated_text"));
     html += fact("torch_path", textIn(result, "torch")) + numberFact("simulated", numberIn(result, "seconds"), 1, " s");
     html += fact("metal_ran_at", realTimeOf(attempt)) + numberFact("zoom", numberIn(attempt, "zoom"), 1, "");

@@ -61,7 +61,8 @@ LessonSections::LessonSections(Lesson& lesson)
       view("view", viewParameters(lesson.look)),
       surface("surface", liveParameters(describe(lesson.surface))),
       simulation("simulation", liveParameters(lesson.model == LessonModel::Weld ? lesson.processParameters()
-                                                                                : describe(lesson.metal))) {
+                                                                                : describe(lesson.metal))),
+      chart(lesson, simulation) {
     static constexpr std::array<std::string_view, 1> kStart{"for_score"};
     static constexpr std::array<std::string_view, 2> kFlame{"heat_radius", "heat_temperature"};
     view.idle = idleLook(lesson);

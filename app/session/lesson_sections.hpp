@@ -1,6 +1,7 @@
 // A lesson's values as menus and the settings file group them.
 #pragma once
 
+#include "app/session/chart_values.hpp"
 #include "app/session/parameter_section.hpp"
 #include "core/training/lesson/lesson.hpp"
 
@@ -24,6 +25,7 @@ struct LessonSections {
     ParameterSection view;
     ParameterSection surface;
     ParameterSection simulation;
+    ChartValues chart; ///< makers' charts for plates and machine of the lesson
 
     std::vector<ParameterSection*> all() { return {&start, &view, &surface, &simulation}; }
     void restoreDefaults();

@@ -191,9 +191,11 @@ void viewMenu(Context& context, std::span<const ParameterSection* const> section
     ImGui::End();
 }
 
-void machinePart(Context& context, const ParameterSection& section) {
+void machinePart(Context& context, LessonSections& sections) {
+    const ParameterSection& section = sections.simulation;
     drawGroup(context, section, "Settings in use", true,
               [&](const Parameter& p) { return !p.onlyAtStart && !section.isExpert(p); });
+    chartPart(context, sections.chart);
     const auto expert = [&](const Parameter& p) { return !p.onlyAtStart && section.shows(p) && section.isExpert(p); };
     if (std::none_of(section.parameters.begin(), section.parameters.end(), expert)) return;
     if (!groupHeading(context, section.name, "Expert", false)) return;
@@ -214,18 +216,18 @@ void machinePart(Context& context, const ParameterSection& section) {
     });
 }
 
-void machineMenu(Context& context, const ParameterSection& section, Controls& controls) {
+void machineMenu(Context& context, LessonSections& sections, Controls& controls) {
     beginPanel(context, "machine menu", Side::right);
     panelTitle(context, phrase("menu.machine").c_str(), phrase("menu.machine_text").c_str());
     bool cold = controls.source().cold();
     // Only the source of the classic lesson cools.
-    if (findParameter(section.parameters, "heat_temperature") != nullptr) {
+    if (findParameter(sections.simulation.parameters, "heat_temperature") != nullptr) {
         ShortText note;
         appendPhrase(note, "menu.cold_tip", {{"key", context.key(Key::f)}});
         if (toggle(context, "simulation.cold", phrase("menu.cold"), cold, note.c_str()))
             controls.source().setCold(cold);
     }
-    machinePart(context, section);
+    machinePart(context, sections);
     ImGui::End();
 }
 

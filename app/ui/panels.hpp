@@ -58,9 +58,12 @@ void captionLine(Context& context, std::string_view caption, float left, float r
 /// Draws the names of cues at their fields of the board, on the picture.
 void cueNames(Context& context, std::span<const NamedCue> cues);
 void viewMenu(Context& context, std::span<const ParameterSection* const> sections);
-/// Draws the machine's values; closed below them, in the expert drawer, the solver's.
-void machinePart(Context& context, const ParameterSection& section);
-void machineMenu(Context& context, const ParameterSection& section, Controls& controls);
+/// Draws the machine's values and the makers' charts for them; closed below them, in the expert drawer, the solver's.
+void machinePart(Context& context, LessonSections& sections);
+void machineMenu(Context& context, LessonSections& sections, Controls& controls);
+/// Draws the shown row of the charts, with its source, inside the current window; no-op for a process without an arc.
+/// Allocates nothing while plates, machine and row stay.
+void chartPart(Context& context, ChartValues& chart);
 /// Draws the running demonstration above the status bar, in the middle of the uncovered width: pause, its time, and the
 /// button for one's own attempt. `left`, `right`: width covered by panels, points; with too little room left it
 /// overlaps them.

@@ -209,6 +209,7 @@ void setupPart(Context& context, LessonSession& session) {
             quietText(context, text);
     explainAll(context, sections.start, false);
     if (groupHeading(context, "start", "Machine")) explainAll(context, sections.simulation, false);
+    chartPart(context, sections.chart);
     if (!groupHeading(context, "start", "Expert", false)) return;
     explainAll(context, sections.start, true);
     explainAll(context, sections.simulation, true);

@@ -1,7 +1,6 @@
 #include "core/validation/torch_run.hpp"
 
 #include "core/base/error.hpp"
-#include "core/weld/process/weld_constants.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,12 +13,6 @@ namespace {
 constexpr float kMm = 1e-3F;
 constexpr double kArcOfPower = 3e-3; // m, length of an arc that is given by its power alone
 
-/// Returns the extension (m) that a wire of this current leaves between contact tip and arc.
-double extensionAt(const WireFeed& feed, double ctwd, double current) {
-    const double length = std::max(feed.voltage - kArcFallVoltage - kWireResistance * current, 0.0) / kArcField;
-    return std::max(ctwd - length, 0.0);
-}
-
 /// Returns the height (m) of the metal under the arc above the corner that the wire of a fillet points at: the throat
 /// of a flat face is the root of its section, and the pool under the arc has filled this share of it. By the current
 /// that the fillets PANF-4 and OTCH-9 of tests/validation/vendor drew with a feed that did not include it.
@@ -31,9 +24,7 @@ double filledUnderArc(double section) {
 /// Returns the feed (m/s) that melts at `current` on this machine.
 double feedAt(const ValidationCase& from, const WireFeed& feed, double current) {
     const double ctwd = from.number("ctwd_mm") * 1e-3;
-    const auto melting = [&](double filled) {
-        return feed.melting.speed(current, extensionAt(feed, ctwd - filled, current));
-    };
+    const auto melting = [&](double filled) { return feedAtCurrent(feed, ctwd - filled, current); };
     if (from.kind->name != "fillet") return melting(0);
     const double radius = from.number("wire_diameter_mm") * 0.5e-3;
     const double wire = std::numbers::pi * radius * radius, travel = from.number("speed_mm_s") * 1e-3;

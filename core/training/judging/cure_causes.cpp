@@ -223,9 +223,11 @@ constexpr std::array kCauses{
     hand("surface_pore", distance, kMore, air),
     hand("surface_pore", travelAngle, kEither, air),
     hand("surface_pore", travelSpeed, kMore, air),
+    set("surface_pore", "gas_flow_l_min", kLess, air),
     set("surface_pore", "voltage", kMore, air),
     hand("piping_porosity", distance, kMore, air),
     hand("piping_porosity", travelAngle, kEither, air),
+    set("piping_porosity", "gas_flow_l_min", kLess, air),
     set("piping_porosity", "voltage", kMore, air),
 
     hand("unfilled_crater", travelSpeed, kMore, littleMetal),

@@ -2,6 +2,8 @@
 
 #include "core/base/text.hpp"
 #include "core/base/words.hpp"
+#include "core/weld/process/shielding_gas.hpp"
+#include "core/weld/process/weld_constants.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +25,7 @@ struct Rule {
     std::string_view name; ///< part of the keys of its sentences
     std::function<bool(const SeamMillimetre&)> holds;
     std::string_view limitName = {}; ///< named place for its limit in those sentences; empty: its limits are constants
-    double limit = 0;                ///< limit as in the sentence, mm or mm/s
+    double limit = 0;                ///< limit as in the sentence, mm, mm/s or L/min
 };
 
 std::string number(double value) {
@@ -47,17 +49,39 @@ Rule tooLong(double most, std::string_view name) {
     return {name, [most](const SeamMillimetre& mm) { return mm.values[distance] > most; }, "arc", most * kPerMetre};
 }
 
-Rule outOfBalance() {
-    return {"out_of_balance", [](const SeamMillimetre& mm) {
-                const double excess = mm.voltage - (kLoadLineVoltage + kLoadLineSlope * mm.current);
+/// `gasVoltage`: see ShieldingGas::arcVoltage.
+Rule outOfBalance(double gasVoltage) {
+    return {"out_of_balance", [gasVoltage](const SeamMillimetre& mm) {
+                const double excess = mm.voltage - gasVoltage - (kLoadLineVoltage + kLoadLineSlope * mm.current);
                 return excess > kBalanceAbove || excess < -kBalanceBelow;
             }};
 }
 
-/// `core`: m, diameter of a covered electrode.
-std::vector<Rule> poreRules(const ProcessTraits& traits, double core) {
+/// An arc that stays open in a gas in which no wire sprays.
+Rule largeDrops(double gasVoltage) {
+    return {"large_drops", [gasVoltage](const SeamMillimetre& mm) {
+                return mm.voltage > kArcFallVoltage + gasVoltage + kWireResistance * mm.current;
+            }};
+}
+
+bool always(const SeamMillimetre& /*mm*/) {
+    return true;
+}
+
+/// Returns the rule for a machine whose gas does not cover the pool anywhere; none if it does.
+std::optional<Rule> uncovered(const Equipment& tools) {
+    if (tools.gas == &shieldingGas(GasKind::none) || (tools.wire > 0 && tools.gasFlow <= 0))
+        return {{"no_gas", always}};
+    const double least = kLeastGasShare * kGasFlowPerMm * tools.wire * kPerMetre; // L/min
+    if (tools.wire > 0 && tools.gasFlow < least) return {{"little_gas", always, "flow", least}};
+    return std::nullopt;
+}
+
+std::vector<Rule> poreRules(const ProcessTraits& traits, const Equipment& tools) {
+    const double core = tools.electrode;
     switch (traits.shielding) {
     case Shielding::gas:
+        if (auto rule = uncovered(tools)) return {*std::move(rule)};
         if (traits.distance == DistanceKind::ctwd) return {tooFar(), tooFlat()};
         return {tooLong(kGasCoverArc, "arc_long"), tooFlat()};
     case Shielding::slag:
@@ -68,8 +92,11 @@ std::vector<Rule> poreRules(const ProcessTraits& traits, double core) {
     return {};
 }
 
-std::vector<Rule> spatterRules(const ProcessTraits& traits, double core) {
-    if (traits.feedsWire) return {outOfBalance()};
+std::vector<Rule> spatterRules(const ProcessTraits& traits, const Equipment& tools) {
+    const double core = tools.electrode, gasVoltage = tools.gas == nullptr ? 0 : tools.gas->arcVoltage;
+    if (traits.feedsWire && tools.gas != nullptr && !tools.gas->sprayCurrent)
+        return {outOfBalance(gasVoltage), largeDrops(gasVoltage)};
+    if (traits.feedsWire) return {outOfBalance(gasVoltage)};
     if (traits.shielding != Shielding::slag) return {};
     return {tooLong(kSpatteringArc * core, "arc_spatters")};
 }
@@ -119,14 +146,14 @@ Estimate estimate(std::string name, std::span<const SeamMillimetre> seam, std::s
 std::vector<Estimate> estimateImperfections(std::span<const SeamMillimetre> seam, const ProcessSettings& process,
                                             std::optional<double> askedSpeed) {
     const ProcessTraits& traits = traitsOf(process);
-    const double core = equipmentOf(process).electrode;
+    const Equipment tools = equipmentOf(process);
     std::vector<Estimate> estimates;
     if (seam.empty() || !traits.arc) return estimates;
     const auto add = [&](const char* name, std::span<const Rule> rules) {
         if (!rules.empty()) estimates.push_back(estimate(name, seam, rules));
     };
-    add("surface_pore", poreRules(traits, core));
-    add("spatter", spatterRules(traits, core));
+    add("surface_pore", poreRules(traits, tools));
+    add("spatter", spatterRules(traits, tools));
     add("slag_inclusion", slagRules(traits, askedSpeed));
     return estimates;
 }

@@ -34,7 +34,8 @@ inline constexpr double kGasCoverArc = 6e-3;
 inline constexpr double kSpatteringArc = 1.5;
 inline constexpr double kUncoveredArc = 2;
 /// V below and above the machines' load line of 14 V + 0.05 V/A that still are in balance for a wire arc. The published
-/// settings collected for this program are from 4 V below to 2 V above it; 3 V more on both sides are chosen here.
+/// settings collected for this program are from 4 V below to 2 V above it; 3 V more on both sides are chosen here. In
+/// another gas the line is shifted by ShieldingGas::arcVoltage.
 inline constexpr double kBalanceBelow = 7;
 inline constexpr double kBalanceAbove = 5;
 /// Share of the asked travel speed below which slag runs ahead of the arc. No source gives a number: chosen here.
@@ -43,10 +44,11 @@ inline constexpr double kSlagOvertakes = 0.5;
 /// Estimates for the arc processes, from the attempt by the millimetre (with strike and crater); empty for other
 /// processes and without an arc. `askedSpeed` (m/s): the lesson's ideal travel speed, if it has one.
 ///
-/// - Pores (`surface_pore`, which includes `piping_porosity`): under shielding gas by the travel angle, and by the
-///   distance of a wire's contact tip or the length of an electrode's arc; under slag by the length of the arc.
-/// - `spatter`: of a fed wire by voltage and current out of balance, of a covered electrode by a long arc. GTAW
-///   transfers no metal through its arc and has none.
+/// - Pores (`surface_pore`, which includes `piping_porosity`): on the whole length without gas or with a flow below
+///   kLeastGasShare of the recommended one; else under shielding gas by the travel angle, and by the distance of a
+///   wire's contact tip or the length of an electrode's arc; under slag by the length of the arc.
+/// - `spatter`: of a fed wire by voltage and current out of balance, and by an open arc in a gas in which it does not
+///   spray; of a covered electrode by a long arc. GTAW transfers no metal through its arc and has none.
 /// - `slag_inclusion`: of a covered electrode that pushes (slag runs ahead of the pool; trade knowledge) or travels too
 ///   slowly.
 std::vector<Estimate> estimateImperfections(std::span<const SeamMillimetre> seam, const ProcessSettings& process,

@@ -2,6 +2,7 @@
 
 #include "core/gl/state_archive.hpp"
 #include "core/weld/process/processes.hpp"
+#include "core/weld/process/shielding_gas.hpp"
 #include "core/weld/process/weld_constants.hpp"
 
 #include <algorithm>
@@ -41,21 +42,26 @@ constexpr std::array kRetired{
     RetiredSetting{"drop_speed", "the drops' speed is a constant of the process"},
 };
 
+const ShieldingGas& gasOf(const GmawSettings& settings) {
+    return shieldingGas(static_cast<GasKind>(settings.gas));
+}
+
 /// Returns the ripples at the current that melts the wire as fast as it is fed.
 FreezingRipples ripplesOf(const GmawSettings& settings) {
     const auto diameter = static_cast<double>(settings.wireDiameterMm);
     const double current = WireMelting::steel(diameter * 1e-3)
                                .current(static_cast<double>(settings.wireFeedMPerMin) / 60,
                                         static_cast<double>(settings.stickOutMm) * 1e-3);
-    const auto sprays = static_cast<float>(sprayShare(current, diameter));
+    const auto sprays = static_cast<float>(sprayShare(current, diameter, gasOf(settings)));
     return {std::lerp(kDipRipples.frequency, kSprayRipples.frequency, sprays),
             std::lerp(kDipRipples.height, kSprayRipples.height, sprays)};
 }
 
 } // namespace
 
-double sprayShare(double current, double diameterMm) {
-    const double sprays = kSprayCurrent * std::pow(diameterMm, kSprayExponent);
+double sprayShare(double current, double diameterMm, const ShieldingGas& gas) {
+    if (!gas.sprayCurrent) return 0;
+    const double sprays = *gas.sprayCurrent * std::pow(diameterMm, kSprayExponent);
     return std::clamp((current / sprays - 1) / kSprayRange + 0.5, 0.0, 1.0);
 }
 
@@ -81,9 +87,11 @@ Equipment Gmaw::equipment(const GmawSettings& settings) {
     return {.wire = static_cast<double>(settings.wireDiameterMm) * 1e-3,
             .wireSpeed = static_cast<double>(settings.wireFeedMPerMin) * (1.0 / 60),
             .heldBehind = static_cast<double>(settings.stickOutMm) * 1e-3,
-            .spatter = kOpenSpatter,
+            .spatter = kOpenSpatter * gasOf(settings).spatter,
             .ripples = ripplesOf(settings),
-            .displays = {{{settings.voltage, "v", 1}, {settings.wireFeedMPerMin, "m/min", 1}}}};
+            .displays = {{{settings.voltage, "v", 1}, {settings.wireFeedMPerMin, "m/min", 1}}},
+            .gas = &gasOf(settings),
+            .gasFlow = static_cast<double>(settings.gasFlowLMin)};
 }
 
 ParameterList describe(GmawSettings& s) {
@@ -95,6 +103,9 @@ ParameterList describe(GmawSettings& s) {
          kInductances},
         {"stick_out_mm", "Stick-out", "mm", &s.stickOutMm, 3, 40,
          "Length of the wire at the start: tip-to-work distance less the arc."},
+        {"gas", "Gas", "", &s.gas, 0, static_cast<double>(shieldingGasNames().size()) - 1,
+         "Carbon dioxide needs more voltage, and no wire sprays in it.", shieldingGasNames()},
+        {"gas_flow_l_min", "Gas flow", "l/min", &s.gasFlowLMin, 0, 30, "Too little lets air into the pool."},
     };
 }
 
@@ -123,7 +134,7 @@ WireFeed Gmaw::feed() const {
     const double heat = metal_.table.liquidusEnthalpy() - metal_.table.enthalpyAt(metal_.ambient);
     return {static_cast<double>(settings_.voltage), static_cast<double>(settings_.wireFeedMPerMin * kMetresPerMinute),
             WireMelting::steel(static_cast<double>(settings_.wireDiameterMm * kMm)),
-            wireArea() * metal_.density * heat / kGmawEfficiency};
+            wireArea() * metal_.density * heat / kGmawEfficiency, gasOf(settings_).arcVoltage};
 }
 
 /// Returns the stirring at the current that melts the wire as fast as it is fed.
@@ -182,7 +193,7 @@ void Gmaw::takeOver() {
 void Gmaw::transferHeat(const TorchSample& torch, double seconds) {
     const auto current = static_cast<double>(arc_.current);
     const double narrow = arcHeatRadius(wire_.length(), current);
-    const double sprays = sprayShare(current, static_cast<double>(settings_.wireDiameterMm));
+    const double sprays = sprayShare(current, static_cast<double>(settings_.wireDiameterMm), gasOf(settings_));
     arc_.radius = static_cast<float>(std::lerp(narrow, sprayHeatRadius(current), sprays));
     pressSurface(current, std::lerp(narrow, kSprayPressureRadius, sprays));
     arc_.power = kGmawEfficiency * static_cast<double>(arc_.voltage) * current;

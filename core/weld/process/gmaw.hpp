@@ -6,6 +6,8 @@
 
 namespace meltpool {
 
+struct ShieldingGas;
+
 /// Settings on the machine's panel, and the wire in it. The current is not set: it follows.
 struct GmawSettings {
     float voltage = 19; ///< V at the torch
@@ -14,11 +16,14 @@ struct GmawSettings {
     int inductance = 1; ///< 0 low, 1 medium, 2 high
     /// The torch's pose is that of the end of a wire with this extension from the contact tip.
     float stickOutMm = 12;
+    int gas = 0; ///< GasKind
+    float gasFlowLMin = 14;
 };
 ParameterList describe(GmawSettings& settings);
 
-/// Returns 0 for a wire of `diameterMm` that dips or lets large drops fall at this current (A), 1 for one that sprays.
-double sprayShare(double current, double diameterMm);
+/// Returns 0 for a wire of `diameterMm` that dips or lets large drops fall at this current (A) in this gas, 1 for one
+/// that sprays.
+double sprayShare(double current, double diameterMm, const ShieldingGas& gas);
 
 /// Returns the radius (m, sigma) of the heat of a spraying arc of `current` (A), see kSprayRadius.
 double sprayHeatRadius(double current);

@@ -2,6 +2,7 @@
 
 #include "core/gl/state_archive.hpp"
 #include "core/weld/process/processes.hpp"
+#include "core/weld/process/shielding_gas.hpp"
 #include "core/weld/process/weld_constants.hpp"
 
 #include <algorithm>
@@ -61,7 +62,8 @@ constinit const ProcessTraits Gtaw::kTraits{
 Equipment Gtaw::equipment(const GtawSettings& settings) {
     return {.rod = static_cast<double>(settings.rodDiameterMm) * kMm,
             .ripples = kRipples,
-            .displays = {{{settings.current, "a"}}}};
+            .displays = {{{settings.current, "a"}}},
+            .gas = &shieldingGas(GasKind::ar)};
 }
 
 ParameterList describe(GtawSettings& s) {
@@ -70,6 +72,7 @@ ParameterList describe(GtawSettings& s) {
         {"electrode_diameter_mm", "Electrode", "mm", &s.electrodeDiameterMm, 0.5, 6.4, "tungsten"},
         {"rod_diameter_mm", "Filler rod", "mm", &s.rodDiameterMm, 0, 5,
          "Rod in the other hand. Dip it into the pool. 0 is no rod."},
+        {"gas", "Gas", "", &s.gas, 0, 0, "Argon.", shieldingGasNames().subspan(static_cast<size_t>(GasKind::ar), 1)},
     };
 }
 

@@ -9,6 +9,7 @@ struct GtawSettings {
     float current = 130; ///< A with the trigger or pedal pulled through; a smaller pull gives less current
     float electrodeDiameterMm = 2.4F;
     float rodDiameterMm = 2.4F; ///< diameter of the filler rod in the other hand; 0: none is held
+    int gas = 0;                ///< argon, the only choice
 };
 ParameterList describe(GtawSettings& settings);
 

@@ -11,6 +11,8 @@
 
 namespace meltpool {
 
+struct ShieldingGas;
+
 /// Distance that the hand controls and the score judges, TechniqueQuantity::distance. ctwd: ArcState::distance, of wire
 /// processes from the contact tip to the work (of flame and iron from the tip). arcLength: ArcState::length, of
 /// processes with an electrode in the torch.
@@ -93,6 +95,7 @@ struct Equipment {
     double wire = 0;            ///< m, diameter of the wire that the torch feeds; 0: none
     double wireSpeed = 0;       ///< m/s of this wire
     double electrode = 0;       ///< m, core diameter of a covered electrode; 0: none
+    std::string_view electrodeName{}; ///< its classification in lessons, such as "e7018"; empty: none
     double electrodeLength = 0; ///< m, length of a new one
     double heldBehind = 0;      ///< m, see heldBehind()
     /// 1/s, drops that an open arc throws; 0: the process throws none. No source gives numbers of drops; all are chosen
@@ -100,6 +103,8 @@ struct Equipment {
     double spatter = 0;
     FreezingRipples ripples{};
     std::array<MachineDisplay, 2> displays{};
+    const ShieldingGas* gas = nullptr; ///< gas from the torch's nozzle; null: the process has none
+    double gasFlow = 0;                ///< L/min, set on the machine; 0 also where the machine has no such setting
 
     /// Returns the volume of wire fed, m³/s.
     double wireRate() const;

@@ -70,6 +70,7 @@ constinit const ProcessTraits Smaw::kTraits{
 
 Equipment Smaw::equipment(const SmawSettings& settings) {
     return {.electrode = static_cast<double>(settings.diameterMm) * kMm,
+            .electrodeName = kNames[static_cast<size_t>(settings.electrode)],
             .electrodeLength = static_cast<double>(settings.lengthMm) * kMm,
             .spatter = kSpatter * electrodeOf(settings.electrode).spatter,
             .ripples = kRipples,

@@ -13,6 +13,11 @@ namespace {
 constexpr double kBreakingStretch = 0.7;
 constexpr int kHalvings = 48; // number of halvings of an interval of some metres: to far below a nanometre
 
+/// Returns the falls (V) at the arc's ends in the machine's gas.
+double fallVoltage(const WireFeed& feed) {
+    return kArcFallVoltage + feed.gasVoltage;
+}
+
 /// Returns the machine's voltage (V) at a current: the set one, but no more than its short circuit gives.
 double terminalVoltage(const WireFeed& feed, double current) {
     return current < kShortCircuitCurrent ? feed.voltage : std::min(feed.voltage, kWireResistance * current);
@@ -33,7 +38,7 @@ double meltingSpeed(const WireFeed& feed, double current, double voltage, double
 /// Returns the length (m) of the open arc in which a wire of this extension melts as fast as it is fed; 0 if it shorts.
 double balancedLength(const WireFeed& feed, double extension) {
     const double current = feed.melting.current(feed.speed, extension);
-    return std::max(feed.voltage - kArcFallVoltage - kWireResistance * current, 0.0) / kArcField;
+    return std::max(feed.voltage - fallVoltage(feed) - kWireResistance * current, 0.0) / kArcField;
 }
 
 } // namespace
@@ -54,12 +59,21 @@ double WireMelting::current(double speed, double extension) const {
 }
 
 double openArcCurrent(const WireFeed& feed, double length) {
-    const double left = feed.voltage - kArcFallVoltage - kArcField * std::max(length, 0.0);
+    const double left = feed.voltage - fallVoltage(feed) - kArcField * std::max(length, 0.0);
     return std::clamp(left / kWireResistance, 0.0, kShortCircuitCurrent);
 }
 
+double wireExtension(const WireFeed& feed, double distance, double current) {
+    const double length = std::max(feed.voltage - fallVoltage(feed) - kWireResistance * current, 0.0) / kArcField;
+    return std::max(distance - length, 0.0);
+}
+
+double feedAtCurrent(const WireFeed& feed, double distance, double current) {
+    return feed.melting.speed(current, wireExtension(feed, distance, current));
+}
+
 double longestWireArc(const WireFeed& feed) {
-    return std::max(feed.voltage - kArcFallVoltage - kWireResistance * kLeastArcCurrent, 0.0) / kArcField;
+    return std::max(feed.voltage - fallVoltage(feed) - kWireResistance * kLeastArcCurrent, 0.0) / kArcField;
 }
 
 void WireArc::release() {
@@ -166,7 +180,7 @@ void WireArc::shortCircuit(const WireFeed& feed, double distance, double seconds
     extension_ = std::max(before + seconds * (feed.speed - bearable), 0.0);
     melted_ = seconds * bearable;
     length_ = stretch_ = 0;
-    const double arcShare = (feed.voltage - kWireResistance * current_) / kArcFallVoltage;
+    const double arcShare = (feed.voltage - kWireResistance * current_) / fallVoltage(feed);
     action_ = bearable < arriving - 1e-9 || arcShare < kStubShare ? ArcAction::stubbed : ArcAction::shorting;
 }
 

@@ -26,6 +26,7 @@ struct WireFeed {
     double speed = 0.1;  ///< m/s of wire
     WireMelting melting;
     double meltingEnergy = 0; ///< J of electric energy that melt a metre of wire, losses included; 0: unknown
+    double gasVoltage = 0;    ///< V more for the arc than kArcFallVoltage, see ShieldingGas::arcVoltage
 };
 
 /// One wire on one machine. Between steps it stores the extension and the state of the arc.
@@ -72,6 +73,12 @@ class WireArc {
 /// Returns the current (A) of an open arc with the wire's end `length` (m) from the metal: (U - V0 - E length)/R, not
 /// below 0 nor above the machine's short circuit.
 double openArcCurrent(const WireFeed& feed, double length);
+
+/// Returns the extension (m) of the wire at this current (A) with the metal `distance` (m) from the contact tip: the
+/// distance less the open arc; all of it in dip transfer. The machine's speed is not used.
+double wireExtension(const WireFeed& feed, double distance, double current);
+/// Returns the speed (m/s) at which the machine must feed the wire so that it melts with this current (A).
+double feedAtCurrent(const WireFeed& feed, double distance, double current);
 
 /// Returns the length (m) at which an open arc goes out.
 double longestWireArc(const WireFeed& feed);

@@ -2,6 +2,7 @@
 // rule and source; a good hand gets "unlikely".
 #include "core/training/judging/estimates.hpp"
 
+#include "core/weld/process/shielding_gas.hpp"
 #include "tests/support/catch.hpp"
 
 #include <algorithm>
@@ -115,6 +116,50 @@ TEST_CASE("spatter follows from voltage and current out of balance, and from a s
     stick.of<Smaw>().diameterMm = 5;
     CHECK(of(estimateImperfections(weld(5, -15, 26, 200), stick), "spatter").value == 0);
     CHECK_FALSE(has(estimateImperfections(weld(9, 10, 15, 130), settingsOf<Gtaw>()), "spatter"));
+}
+
+TEST_CASE("without gas, or with too little of it, pores are likely on the whole length, and it is said why",
+          "[verdict]") {
+    ProcessSettings wire = settingsOf<Gmaw>();
+    const auto pores = [&] { return of(estimateImperfections(goodGmaw(), wire, 5 * kMm), "surface_pore"); };
+    auto& gmaw = wire.of<Gmaw>();
+    gmaw.wireDiameterMm = 1.2F;
+    gmaw.gas = static_cast<int>(GasKind::none);
+    CHECK(pores().value == 40);
+    CHECK_THAT(pores().rule, test::containsText("No gas covered the pool on 40 mm"));
+    gmaw.gas = static_cast<int>(GasKind::co2);
+    CHECK(pores().value == 0);
+    gmaw.gasFlowLMin = 0;
+    CHECK_THAT(pores().rule, test::containsText("No gas covered the pool"));
+    gmaw.gasFlowLMin = 8.9F; // three quarters of 10 l/min for each mm of wire are 9
+    CHECK(pores().value == 40);
+    CHECK_THAT(pores().rule, test::containsText("Less gas than 9 l/min covered the pool on 40 mm"));
+    gmaw.gasFlowLMin = 9.1F;
+    CHECK(pores().value == 0);
+    gmaw.wireDiameterMm = 1.6F;
+    CHECK(pores().value == 40);
+}
+
+TEST_CASE("in carbon dioxide the balance is higher, and an arc that stays open spatters", "[verdict]") {
+    ProcessSettings wire = settingsOf<Gmaw>();
+    const auto spatter = [&](double volts, double amperes) {
+        return of(estimateImperfections(weld(15, 10, volts, amperes), wire), "spatter");
+    };
+    // 14 V + 0.05 V/A, and 5 V more, are 28 V at 180 A.
+    CHECK(spatter(28.5, 180).value == 40);
+    CHECK(spatter(16.5, 180).value == 0);
+    wire.of<Gmaw>().gas = static_cast<int>(GasKind::co2);
+    CHECK(spatter(17.6, 180).value == 0); // 7 V below 24.5 V
+    CHECK(spatter(17.4, 180).value == 40);
+    CHECK_THAT(spatter(17.4, 180).rule, test::containsText("The voltage was over 5 V above or 7 V below"));
+    // It stays open above 15.7 V + 1.5 V + 0.026 V/A: 20.3 V at 120 A, a maker's chart has 19 to 20 V there.
+    CHECK(spatter(20, 120).value == 0);
+    CHECK(spatter(21, 120).value == 40);
+    CHECK_THAT(spatter(21, 120).rule, test::containsText("The arc stayed open on 40 mm"));
+    CHECK_THAT(spatter(20, 120).rule, test::containsText("or where the arc stays open"));
+    CHECK(spatter(31, 150).value == 40);
+    wire.of<Gmaw>().gas = static_cast<int>(GasKind::arO2);
+    CHECK(spatter(21, 120).value == 0);
 }
 
 TEST_CASE("slag follows from a stick that pushes or travels too slowly", "[verdict]") {

@@ -2,6 +2,7 @@
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "core/training/lesson/lesson_check.hpp"
+#include "core/weld/process/shielding_gas.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
@@ -139,6 +140,8 @@ TEST_CASE("a check whose torch is a record takes the attempt's values, and its c
     const LessonCheck check = readLessonCheck(folder / "one.toml", lessons());
     REQUIRE(check.lesson.recorded);
     CHECK(check.lesson.process.of<Gmaw>().voltage == 21);
+    // A record of a program that knew no gas was welded in the mix, which its lesson names.
+    CHECK(check.lesson.process.of<Gmaw>().gas == static_cast<int>(GasKind::arCo2));
     CHECK(check.lesson.run.seconds == Approx(0.4));
     REQUIRE(check.lesson.recorded->changes.size() == 1);
     CHECK(check.lesson.recorded->changes[0].steps == 1); // two steps of the path, which takes half its time here

@@ -241,6 +241,12 @@ TEST_CASE("a bad lesson is refused in one sentence with file, line and expectati
          "bad.toml:5: ", "expected limits around the lesson's own value, 90"},
         {"model = 'weld'\n[process]\nprocess = 'smaw'\n[choose]\nelectrode = { from = 0, to = 1 }\n",
          "bad.toml:5: ", "expected a numeric setting"},
+        {"model = 'weld'\n[process]\nprocess = 'gmaw'\ngas = 'helium'\n",
+         "bad.toml:4: ", "expected one of ar_co2, co2, ar_o2, ar, none"},
+        {"model = 'weld'\n[process]\nprocess = 'gmaw'\ngas_flow_l_min = -1\n",
+         "bad.toml:4: ", "expected a number from 0"},
+        {"model = 'weld'\n[process]\nprocess = 'gtaw'\ngas = 'co2'\n", "bad.toml:4: ", "expected one of ar"},
+        {"model = 'weld'\n[process]\nprocess = 'smaw'\ngas = 'ar'\n", "bad.toml:4: ", "unknown key"},
         {"[choose]\ncurrent = { from = 1, to = 2 }\n", "bad.toml:1: ", "unknown key"}, // classic lesson
         {"[technique]\nlength_from_mm = 0\n", "bad.toml:1: ", "unknown key"},          // the classic model has no seam
         {"title = 'x'\n[[picture]]\nname = '../evil'\n", "bad.toml:3: ", "expected letters"},

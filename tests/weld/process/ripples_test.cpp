@@ -1,5 +1,6 @@
 // The frequency of ripples that each process leaves in a freezing pool.
 #include "core/weld/process/processes.hpp"
+#include "core/weld/process/shielding_gas.hpp"
 #include "tests/support/catch.hpp"
 
 #include <array>
@@ -50,6 +51,6 @@ TEST_CASE("with more wire dip transfer turns into spray without a step, where th
         before = now;
     }
     CHECK(before == ofWire(14).frequency);
-    CHECK(sprayShare(200, 1.2) == 0);
-    CHECK(sprayShare(300, 1.2) == 1);
+    CHECK(sprayShare(200, 1.2, shieldingGas(GasKind::arCo2)) == 0);
+    CHECK(sprayShare(300, 1.2, shieldingGas(GasKind::arCo2)) == 1);
 }

@@ -1,6 +1,6 @@
 #include "core/training/feedback/sound/sound_step.hpp"
 
-#include "core/weld/process/weld_constants.hpp"
+#include "core/weld/process/shielding_gas.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -20,9 +20,8 @@ bool isOpen(const ArcState& arc) {
 
 } // namespace
 
-double wireDropRate(double diameter, double speed, double current) {
-    const double sprays = kSprayCurrent * std::pow(diameter / kMm, kSprayExponent);
-    const double share = std::clamp((current / sprays - 1) / kSprayRange + 0.5, 0.0, 1.0);
+double wireDropRate(double diameter, double speed, double current, const ShieldingGas& gas) {
+    const double share = sprayShare(current, diameter / kMm, gas);
     const double drop = diameter * std::lerp(kGlobularDrop, 1.0, share);
     // A cylinder of wire becomes balls: speed pi d²/4 = rate pi D³/6.
     return 1.5 * speed * diameter * diameter / (drop * drop * drop);
@@ -56,7 +55,7 @@ void SoundSource::step(const ProcessSettings& settings, const ArcState& arc, con
     if (alternating_) last_.alternating = last_.process->alternating;
     if (const Equipment tools = equipmentOf(settings); tools.wire > 0 && isOpen(arc))
         last_.dropRate =
-            static_cast<float>(wireDropRate(tools.wire, tools.wireSpeed, static_cast<double>(arc.current)));
+            static_cast<float>(wireDropRate(tools.wire, tools.wireSpeed, static_cast<double>(arc.current), *tools.gas));
     last_.shortPhase = shorts_.phase();
     last_.shortCount = shorts_.last().size();
     std::copy(shorts_.last().begin(), shorts_.last().end(), last_.shorts.begin());

@@ -29,10 +29,11 @@ struct SoundStep {
     std::span<const ShortCircuit> shortCircuits() const { return {shorts.data(), shortCount}; }
 };
 
-/// Drops a second of a wire of `diameter` (m) fed at `speed` (m/s) into an open arc of `current` (A): below the current
-/// of spray a drop is about twice as thick as the wire, above it as thick as the wire (globular and projected spray, as
-/// in the drawings of welding handbooks; between them it changes over kSprayRange as the width of the heat does).
-double wireDropRate(double diameter, double speed, double current);
+/// Drops a second of a wire of `diameter` (m) fed at `speed` (m/s) into an open arc of `current` (A) in this gas: below
+/// the current of spray a drop is about twice as thick as the wire, above it as thick as the wire (globular and
+/// projected spray, as in the drawings of welding handbooks; between them it changes over kSprayRange as the width of
+/// the heat does).
+double wireDropRate(double diameter, double speed, double current, const ShieldingGas& gas);
 
 /// Makes the audible steps of a lesson. Equal steps give equal sounds, to the last bit.
 class SoundSource {

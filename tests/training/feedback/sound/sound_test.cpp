@@ -1,6 +1,7 @@
 // The sound synthesis for synthetic arcs.
 #include "core/training/feedback/haptics.hpp"
 #include "core/training/feedback/sound/sound_track.hpp"
+#include "core/weld/process/shielding_gas.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/training/feedback/sound/sound_steps.hpp"
 
@@ -113,7 +114,8 @@ TEST_CASE("the noise of an open arc rises in level and pitch with its length", "
 }
 
 TEST_CASE("drops hum at their rate: slow and large below the current of spray, fast above", "[sound]") {
-    const double globular = wireDropRate(1.0e-3, 0.1, 100), spray = wireDropRate(1.0e-3, 0.2, 300);
+    const ShieldingGas& mix = shieldingGas(GasKind::arCo2);
+    const double globular = wireDropRate(1.0e-3, 0.1, 100, mix), spray = wireDropRate(1.0e-3, 0.2, 300, mix);
     CHECK(globular == Approx(1.5 * 0.1 / 8e-3));
     CHECK(spray == Approx(1.5 * 0.2 / 1e-3));
     SoundStep step = openArc(Gmaw::kTraits);
