@@ -115,7 +115,12 @@ bool CureFinder::byMissingArc() {
         judged = judged || mm.judged;
     }
     if (judged) return false;
-    cure_.sentence = phrase(any ? "cure.strike_or_crater" : "cure.no_arc", {{"fault", fault_}});
+    const WeldFigure* figure = findImperfection(cure_.imperfection);
+    const bool ofCrater = figure != nullptr && figure->judgedWhole != nullptr;
+    cure_.sentence = phrase(ofCrater ? "cure.crater"
+                            : any    ? "cure.strike_or_crater"
+                                     : "cure.no_arc",
+                            {{"fault", fault_}});
     return true;
 }
 

@@ -255,6 +255,11 @@ TEST_CASE("a failure where no arc passed, or in strike or crater, has that as it
         only(verdict, {seam, wire(), &bands, {}}).sentence ==
         "Lack of fusion at 38.5 mm: the arc began or ended there. Strike before the seam that counts, and run on past "
         "its end.");
+    Verdict crater = failing({"end_crater_pipe"}, 38.5);
+    crater.items.back().failing = {{38e-3, 40e-3}};
+    CHECK(only(crater, {seam, wire(), &bands, {}}).sentence ==
+          "End crater pipe at 38.5 mm: hold the torch still for a moment before the arc goes out, so that the pool "
+          "fills.");
     seam.resize(30);
     CHECK(only(verdict, {seam, wire(), &bands, {}}).sentence ==
           "Lack of fusion at 38.5 mm: no arc passed there. Weld the whole seam.");

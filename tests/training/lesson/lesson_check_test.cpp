@@ -63,12 +63,15 @@ const std::string kHead = "lesson = 'gmaw-bead'\n";
 
 TEST_CASE("a check holds score, parameters, verdict and measured weld against what is expected", "[training][check]") {
     const LessonCheck check = checkFrom(
-        kHead + "[set]\nvoltage = 23\n[bend]\ntime = 0.5\nturn_deg = 90\n"
+        kHead + "[set]\nvoltage = 23\n[bend]\ntime = 0.5\nturn_deg = 90\ntremor_seed = 3\ntremor_mm = 0.1\n"
                 "[expect]\nscore = [80, 90]\nscored = true\naccepted = true\nlowest = 'travel_speed'\n"
                 "travel_speed = [0, 60]\ntoe_width_mm = [6.5, 7.5]\npenetration_mm = [1, 2]\noverlap = 'fail'\n");
     CHECK(check.name == "one");
     CHECK(check.bend.time == 0.5);
     CHECK(check.bend.turn == Approx(1.5707963));
+    CHECK(check.bend.tremor == 3);
+    CHECK(check.bend.tremorPlace == Approx(1e-4));
+    CHECK(check.bend.tremorAngle == Approx(HandTremor::kAngle));
     const auto values = checkJudgement(check, judged());
     REQUIRE(values.size() == 8);
     const auto outcome = [&](std::string_view key) {

@@ -152,6 +152,47 @@ TEST_CASE("limits take the thickness that is simulated, whatever spacing is set 
     CHECK(lesson.nominalWeld().thickness == Approx(5e-3));
 }
 
+TEST_CASE("shipped lessons on plates of 3 mm are judged by the rows of thin plates", "[training]") {
+    std::set<std::string> thin;
+    for (const std::string& name : lessonNames(shippedLessons())) {
+        const Lesson lesson = findLesson(name, shippedLessons());
+        if (!lesson.acceptance || lesson.nominalWeld().thickness > 3.05e-3 || name == "solder-joint") continue;
+        INFO(name);
+        thin.insert(name);
+        LimitSizes sizes;
+        sizes.t = lesson.nominalWeld().thickness * 1e3;
+        int rows = 0;
+        for (const AcceptanceItem& item : lesson.acceptance->items) {
+            if (!item.t.bounded() || !item.holdsFor(sizes)) continue;
+            CHECK(item.t.high == 3);
+            ++rows;
+        }
+        CHECK(rows > 4);
+    }
+    CHECK(thin == std::set<std::string>{"butt-1g", "corner-1f", "gtaw-butt", "lap-2f", "tee-thin"});
+}
+
+TEST_CASE("a fillet is judged by the size that the lesson's text asks for", "[training]") {
+    int fillets = 0;
+    for (const std::string& name : lessonNames(shippedLessons())) {
+        const Lesson lesson = findLesson(name, shippedLessons());
+        if (!lesson.acceptance || weldKindOf(lesson.workpiece) != WeldKind::fillet) continue;
+        INFO(name << ": " << lesson.text);
+        ++fillets;
+        REQUIRE(lesson.nominal.leg.has_value() != lesson.nominal.throat.has_value());
+        const bool leg = lesson.nominal.leg.has_value();
+        const double size = (leg ? *lesson.nominal.leg : *lesson.nominal.throat) * 1e3;
+        const std::string asked = " of {" + formatNumber(size) + " mm}",
+                          about = " of about {" + formatNumber(size) + " mm}";
+        const auto names = [&](const std::string& word) {
+            return lesson.text.find(word + asked) != std::string::npos ||
+                   lesson.text.find(word + about) != std::string::npos;
+        };
+        CHECK((leg ? names("leg") || names("legs") : names("throat")));
+    }
+    CHECK(fillets == 7);
+}
+
 TEST_CASE("a lesson lets the trainee choose settings within its limits", "[training]") {
     const std::string process = "model = 'weld'\n[process]\nprocess = 'gmaw'\nvoltage = 19\nwire_feed_m_min = 4\n";
     Lesson lesson = lessonFrom(process + "[choose]\nvoltage = { from = 17.4, to = 21, start = 15 }\n"
