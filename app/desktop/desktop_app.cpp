@@ -346,7 +346,7 @@ void DesktopApp::preparePicture(double seconds) {
                                    static_cast<float>(pixels.x) / static_cast<float>(std::max(pixels.y, 1)));
     picture_.prepare(session_, controls_,
                      {pixels,
-                      {covered.shift(), menus_.lift()},
+                      {covered.shift(), covered.lift()},
                       seconds,
                       sections_.window.picture,
                       screenshots_.windowAsked(),
