@@ -77,6 +77,18 @@ void Attempt::judge(const Trainer& trainer) {
         cues_.practised(*judged->judgement.score);
 }
 
+bool Attempt::finishWeld(Trainer& trainer) {
+    if (!judge_.waits(trainer)) return false;
+    constexpr int kMostSteps = 100; // a wire burns back within a few
+    for (int i = 0; i < kMostSteps && trainer.arc().burns(); ++i) {
+        TorchSample released = trainer.torch();
+        released.trigger = 0;
+        trainer.advance(released, nullptr);
+    }
+    judge(trainer);
+    return judge_.judged().has_value();
+}
+
 bool Attempt::beginFromCheckpoint(Trainer& trainer, std::string& fault) {
     const auto moment = log_.redo().target(trainer);
     if (!moment) return false;

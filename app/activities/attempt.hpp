@@ -39,6 +39,9 @@ class Attempt final : public Activity {
     /// Judges the attempt so far; no-op while the arc burns and before the attempt begins. Waits for the GPU. A
     /// finished weld is judged automatically, see AttemptJudge. Throws RuntimeFault.
     void judge(const Trainer& trainer);
+    /// Lets the arc go out and judges a weld that waits for it, see AttemptJudge::waits(); false if none does. Waits
+    /// for the GPU. Throws RuntimeFault.
+    bool finishWeld(Trainer& trainer);
     const AttemptJudge& judging() const { return judge_; }
     /// Judgement of the attempt, until the arc burns again or another attempt begins, and the count of judgements.
     const std::optional<JudgedAttempt>& judged() const { return judge_.judged(); }

@@ -109,7 +109,8 @@ void AttemptCues::update(Trainer& trainer, bool test, double elapsed) {
     const CueSet switched = switchedOn();
     CueSet on;
     for (const CueKind kind : kCueKinds) {
-        wanted_.set(kind, !test && switched.has(kind) && allowed_.has(kind));
+        const bool follows = kind == CueKind::aim && swings_;
+        wanted_.set(kind, !test && switched.has(kind) && allowed_.has(kind) && !follows);
         faded_.set(kind, wanted_.has(kind) && before_.strength(kind) <= 0);
         on.set(kind, wanted_.has(kind) && (showsFaded_ || !faded_.has(kind)));
     }

@@ -51,6 +51,8 @@ class AttemptCues {
     void begin();
     /// Sets the quantities that the desk has held by itself in this attempt, which are no skill of the trainee.
     void setHeldByDesk(const QuantitySet& held) { heldByDesk_ = held; }
+    /// The desk swings the torch: an aim cue would follow its swings.
+    void setSwings(bool swings) { swings_ = swings; }
     /// Takes the score of the attempt so far. The last judgement counts, once; cues fade from the next attempt on.
     void practised(const TechniqueScore& score) { skill_ = before_.after(score, heldByDesk_); }
     /// Cues that are on but have faded away.
@@ -91,6 +93,7 @@ class AttemptCues {
     CueSet used_;
     CueSkill skill_;
     CueSkill before_;             ///< skill before this attempt
+    bool swings_ = false;         ///< the desk swings the torch
     QuantitySet heldByDesk_;      ///< in this attempt
     CueSet faded_;                ///< cues of wanted_ that the skill has taken away
     bool showsFaded_ = false;

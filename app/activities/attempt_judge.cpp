@@ -27,7 +27,7 @@ bool AttemptJudge::update(const Trainer& trainer) {
 
 bool AttemptJudge::waits(const Trainer& trainer) const {
     const bool asked = trainer.lesson().technique || trainer.lesson().acceptance;
-    return due_ && asked && to_ - from_ >= kLeastWeld && !trainer.arc().burns();
+    return due_ && asked && to_ - from_ >= kLeastWeld;
 }
 
 void AttemptJudge::judge(const Trainer& trainer) {

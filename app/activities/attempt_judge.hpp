@@ -29,7 +29,7 @@ class AttemptJudge {
     /// Takes the last step of a frame. Returns true once when a weld is finished that the lesson judges by technique
     /// bands or an acceptance. Allocates nothing and never waits.
     bool update(const Trainer& trainer);
-    /// True if a weld that update() would judge is over and its second without an arc still runs.
+    /// True if there is a weld that update() would judge once its arc is out for a second.
     bool waits(const Trainer& trainer) const;
     /// Judges the attempt so far. No-op while the arc burns and in the classic model. Waits for the GPU.
     void judge(const Trainer& trainer);

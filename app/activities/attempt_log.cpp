@@ -51,7 +51,7 @@ std::string AttemptLog::begin(Trainer& trainer, bool goesBack) {
 std::string AttemptLog::fork(Trainer& trainer) {
     // A record on a device or a pipe cannot be read again: it goes on with the new rows alone.
     const std::filesystem::path before = trainer.writesCsvRecord() ? records_.wholeFile() : std::filesystem::path();
-    trainer.stopRecord("redone in another attempt");
+    trainer.stopRecord("another attempt began");
     records_.check(trainer);
     recordings_.fork(trainer, records_.attempt() + 1);
     redo_.recordInto(recordings_.writer());

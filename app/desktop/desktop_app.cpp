@@ -323,13 +323,17 @@ void DesktopApp::takeJudgement() {
                        clock_.now());
 }
 
-/// Judges a finished weld that still waits for its judgement, and shows the result; false if none waits.
+/// Judges a weld that still waits for its judgement, and shows the result; false if none waits.
 bool DesktopApp::finishJudging() {
-    if (!session_.judges() || !session_.attempt().judging().waits(*session_.run().trainer())) return false;
-    session_.judge();
-    const bool judged = session_.attempt().judged().has_value();
+    if (!session_.judges() || !session_.run().fault().empty()) return false;
+    bool judged = false;
+    session_.run().guarded([&] { judged = session_.attempt().finishWeld(*session_.run().trainer()); });
+    if (!judged) return false;
+    session_.run().metalChanged();
+    session_.run().clock().restart();
+    controls_.putOut(ArcOut::lessonBegan);
     takeJudgement();
-    return judged;
+    return true;
 }
 
 void DesktopApp::preparePicture(double seconds) {
@@ -342,7 +346,7 @@ void DesktopApp::preparePicture(double seconds) {
                                    static_cast<float>(pixels.x) / static_cast<float>(std::max(pixels.y, 1)));
     picture_.prepare(session_, controls_,
                      {pixels,
-                      {covered.shift(), menus_.lift()},
+                      {covered.shift(), covered.lift()},
                       seconds,
                       sections_.window.picture,
                       screenshots_.windowAsked(),

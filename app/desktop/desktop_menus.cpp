@@ -13,6 +13,8 @@ namespace {
 
 /// Share of the window; wider panels leave no room for the metal.
 constexpr float kMostCovered = 0.7f;
+/// Share of its height that bars and a replay's panel may cover.
+constexpr float kMostReplay = 0.8f;
 
 ui::KeySituation keysOf(const DesktopMenuContent& content) {
     return ui::keySituation(content.controls, content.session, content.home.open, content.headset);
@@ -36,14 +38,11 @@ CoveredEdges DesktopMenus::covered() {
     CoveredEdges covered{coveredLeft() / size.x, coveredRight() / size.x, bar, bar};
     if (covered.left + covered.right > kMostCovered) covered.left = covered.right = 0;
     if (2 * bar > kMostCovered) covered.bottom = covered.top = 0;
-    return covered;
-}
-
-float DesktopMenus::lift() {
     const ui::Context& context = interface_.context();
-    if (!replays_ || panels.hidden) return 0;
-    const auto height = static_cast<float>(std::max(window_.size().y, 1));
-    return std::min(context.replayHeight + context.points(10), 0.6f * height) / height;
+    if (replays_ && !panels.hidden)
+        covered.bottom += std::clamp((context.replayHeight + context.points(10)) / size.y, 0.0f,
+                                     std::max(kMostReplay - 2 * bar, 0.0f));
+    return covered;
 }
 
 MenuRequest DesktopMenus::draw(const DesktopMenuContent& content) {

@@ -54,8 +54,6 @@ class DesktopMenus {
 
     /// Edges of the window that panels and bars cover. Panels that leave no room for the metal do not count.
     CoveredEdges covered();
-    /// Distance by which the picture is raised over the panel of a replay, as a share of half the height.
-    float lift();
 
   private:
     MenuRequest drawPanels(const DesktopMenuContent& content);
@@ -63,7 +61,6 @@ class DesktopMenus {
     void closeOverlapping();
     float coveredLeft();
     float coveredRight();
-    float coveredBelow();
 
     const Window& window_;
     ui::Interface& interface_;

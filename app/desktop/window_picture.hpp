@@ -13,7 +13,7 @@ namespace meltpool {
 /// Request of the window for a picture.
 struct PictureWish {
     glm::ivec2 pixels{0};      ///< size of the window
-    glm::vec2 middle{0};       ///< middle of the uncovered part: CoveredEdges::shift(), DesktopMenus::lift()
+    glm::vec2 middle{0};       ///< middle of the uncovered part: CoveredEdges::shift(), lift()
     double seconds = 0;        ///< duration of the last frame
     int setting = 0;           ///< index into pictureChoices()
     bool whole = false;        ///< draw all pixels whatever the setting: the picture is to be saved

@@ -52,7 +52,9 @@ void LessonPicture::placeCamera(Controls& controls) {
 }
 
 void LessonPicture::frameCamera(Controls& controls, const CoveredEdges& covered, float aspect) {
-    if (!source_.run.arc().burns()) startCamera_.frame(controls, covered, aspect);
+    // Under a person's arc the picture stays; a replay begins with its arc.
+    const bool welds = source_.run.arc().burns() && source_.activities.allowed().ownTorch;
+    if (!welds) startCamera_.frame(controls, covered, aspect, !torchAside());
 }
 
 SceneView LessonPicture::scene(gl::Profiler* profiler) {
@@ -80,7 +82,7 @@ SceneView LessonPicture::sceneOfMetal() {
         scene.section = cut_.view();
         scene.putTorchAway();
     }
-    if (leader() == TorchLeader::desk && source_.lead.desk().aside()) scene.putTorchAway();
+    if (torchAside()) scene.putTorchAway();
     return scene;
 }
 

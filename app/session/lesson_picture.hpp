@@ -60,7 +60,7 @@ class LessonPicture {
     /// Places the desk's camera as the lesson says.
     void placeCamera(Controls& controls);
     /// Keeps torch and seam in the uncovered part of a picture of this width over height, from the lesson's start until
-    /// the person moves the camera; not while the arc burns.
+    /// the person moves the camera; not while their arc burns.
     void frameCamera(Controls& controls, const CoveredEdges& covered, float aspect);
 
     /// Scene with the current surface.
@@ -106,7 +106,8 @@ class LessonPicture {
     Trainer* trainer() const { return source_.run.trainer(); }
     LessonScene* shown() const { return source_.run.scene(); }
     TorchLeader leader() const { return source_.lead.leader(source_.activities.allowed()); }
-    bool showsHelp() const { return source_.activities.allowed().help && !cut_.shown(); }
+    bool showsHelp() const { return source_.activities.allowed().help && !cut_.shown() && !torchAside(); }
+    bool torchAside() const { return leader() == TorchLeader::desk && source_.lead.desk().aside(); }
     bool weld() const { return trainer() != nullptr && source_.lesson.model == LessonModel::Weld; }
     void noteSurface();
     void nameCues(const SceneView& scene, const View& view);

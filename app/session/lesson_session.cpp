@@ -47,6 +47,7 @@ void LessonSession::prepare(Controls& controls) {
     controls.restart();
     controls.source().setCold(lesson().source.kind == 1);
     lead_.begin(lesson());
+    attempt().cues().setSwings(false);
     controls.leadTorch(lead_.desk().leads());
     picture_.placeCamera(controls);
 }

@@ -66,6 +66,7 @@ bool LessonSession::beginSteps(const Controls& controls, double seconds, gl::Pro
 /// Writes to the record that the desk swings its torch from now on, or no longer.
 void LessonSession::noteSwings() {
     const DeskWeave& weave = lead_.desk().weave();
+    attempt().cues().setSwings(weave.on());
     if (std::exchange(swings_, weave.on()) == weave.on()) return;
     run_.event("desk_swings", weave.on() ? "on" : "off");
 }

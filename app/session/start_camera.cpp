@@ -7,6 +7,7 @@
 #include <glm/trigonometric.hpp>
 
 #include <algorithm>
+#include <span>
 
 namespace meltpool {
 
@@ -64,9 +65,11 @@ void StartCamera::begin(Controls& controls, const Lesson& lesson, const DeskTorc
     controls.placeCamera(placed_);
 }
 
-void StartCamera::frame(Controls& controls, const CoveredEdges& covered, float aspect) {
+void StartCamera::frame(Controls& controls, const CoveredEdges& covered, float aspect, bool torch) {
     if (controls.orbitCamera() != placed_) return;
-    placed_ = framed(wanted_, controls.lens, aspect, covered, points_);
+    const std::span<const glm::vec3> points(points_);
+    placed_ = framed(wanted_, controls.lens, aspect, covered,
+                     torch ? points : points.first(points.size() - std::min(points.size(), kTorchPoints)));
     controls.placeCamera(placed_);
 }
 

@@ -3,6 +3,7 @@
 #include "core/base/words.hpp"
 
 #include <algorithm>
+#include <cfloat>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -73,9 +74,10 @@ void drawLesson(Context& context, Home& home, const CataloguedLesson& lesson, Im
     draw.AddText(strong, line, at, colour::kText, lesson.title.c_str(), nullptr, width);
     if (!usable && beside) drawFault(context, lesson, {at.x, at.y + line}, high);
     const std::string standing = usable ? home.standing(lesson) : phrase("home.at_fault");
+    const float under = high.y - pad - at.y - strong->CalcTextSizeA(line, FLT_MAX, width, lesson.title.c_str()).y;
     if (usable || !beside)
         drawWords(small, quiet, {at.x, high.y - pad}, usable ? colour::kQuiet : colour::kWarning, standing, width,
-                  beside ? 1 : 2);
+                  under < 2 * quiet ? 1 : 2);
     draw.PopClipRect();
 }
 

@@ -122,17 +122,6 @@ void quietText(Context& context, std::string_view text) {
     ImGui::PopFont();
 }
 
-void quietLine(Context& context, std::string_view text) {
-    ImGui::PushFont(context.fonts.small);
-    ImGui::PushStyleColor(ImGuiCol_Text, colour::kQuiet);
-    const float room = ImGui::GetContentRegionAvail().x;
-    ImGui::TextUnformatted(text.data(), text.data() + text.size());
-    const bool cut = ImGui::GetItemRectSize().x > room;
-    ImGui::PopStyleColor();
-    ImGui::PopFont();
-    if (cut) tooltip(context, text);
-}
-
 std::vector<std::string> wholeWords(ImFont& font, float size, std::string_view text, float width, size_t lines) {
     std::vector<std::string> broken;
     const char* at = text.data();
@@ -148,10 +137,30 @@ std::vector<std::string> wholeWords(ImFont& font, float size, std::string_view t
     if (at == end || broken.empty()) return broken;
     std::string& last = broken.back();
     const auto tooWide = [&] { return font.CalcTextSizeA(size, FLT_MAX, 0, (last + " ..").c_str()).x > width; };
-    while (tooWide() && last.find(' ') != std::string::npos)
+    const auto openBracket = [&] { // an opened bracket would seem to hold what is cut off
+        return last.rfind('(') != std::string::npos && last.find(')', last.rfind('(')) == std::string::npos;
+    };
+    while ((tooWide() || openBracket()) && last.find(' ') != std::string::npos)
         last.resize(last.rfind(' '));
     last += " ..";
     return broken;
+}
+
+void quietLine(Context& context, std::string_view text) {
+    ImGui::PushFont(context.fonts.small);
+    ImGui::PushStyleColor(ImGuiCol_Text, colour::kQuiet);
+    const float room = ImGui::GetContentRegionAvail().x;
+    const float wide = ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
+    const bool cut = wide > room;
+    if (cut) {
+        const auto line = wholeWords(*ImGui::GetFont(), ImGui::GetFontSize(), text, room, 1);
+        ImGui::TextUnformatted(line.empty() ? "" : line.front().c_str());
+    } else {
+        ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    }
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+    if (cut) tooltip(context, text);
 }
 
 void strongText(Context& context, std::string_view text) {

@@ -49,7 +49,7 @@ OrbitCamera framed(const OrbitCamera& wanted, const Lens& lens, float aspect, co
     if (points.empty() || covered.left + covered.right >= 1 || covered.bottom + covered.top >= 1) return wanted;
     const float upright = 1 / std::tan(lens.fieldOfView / 2);
     Limits x{edgesOf(covered.left, covered.right, covered.shift(), upright / aspect)};
-    Limits y{edgesOf(covered.bottom, covered.top, 0, upright)};
+    Limits y{edgesOf(covered.bottom, covered.top, covered.lift(), upright)};
     const glm::mat3 toWorld = glm::mat3_cast(wanted.orientation());
     for (const glm::vec3& point : points) {
         const glm::vec3 seen = glm::transpose(toWorld) * (point - wanted.target());

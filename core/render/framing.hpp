@@ -16,11 +16,14 @@ struct CoveredEdges {
 
     /// Distance of the uncovered part's middle to the right of the picture's, as a share of half its width.
     float shift() const { return left - right; }
+    /// Distance of that middle above the picture's, as a share of half its height.
+    float lift() const { return bottom - top; }
 };
 
 /// Returns the camera that looks in the direction of `wanted` and has all `points` (world) in the uncovered part. It
 /// moves `wanted` sideways and away no farther than it must, and never nearer. `aspect`: width over height of the
-/// picture, whose middle is shifted by `covered.shift()`. Returns `wanted` for no points, or if nothing is uncovered.
+/// picture, whose middle is shifted by `covered.shift()` and `covered.lift()`. Returns `wanted` for no points, or if
+/// nothing is uncovered.
 OrbitCamera framed(const OrbitCamera& wanted, const Lens& lens, float aspect, const CoveredEdges& covered,
                    std::span<const glm::vec3> points);
 

@@ -13,9 +13,10 @@ namespace meltpool {
 
 namespace {
 
-constexpr float kNearest = 5e-3F;  ///< m across the line, begin of a mark
-constexpr float kFarthest = 9e-3F; ///< m across the line, end of a mark
-constexpr float kAbove = 0.05F;    ///< m over the joint, from where the faces are seen
+constexpr float kNearest = 5e-3F;                      ///< m across the line, begin of a mark
+constexpr float kFarthest = 9e-3F;                     ///< m across the line, end of a mark
+constexpr float kShortest = 0.5e-3F, kShorter = 1e-3F; ///< m, least mark, and step to a shorter one
+constexpr float kAbove = 0.05F;                        ///< m over the joint, from where the faces are seen
 constexpr float kParallel = 1e-6F;
 
 /// A place on a face.
@@ -68,9 +69,14 @@ std::vector<Solid> jointMarks(std::span<const JointEnd> ends, std::span<const Wo
     std::vector<Solid> marks;
     for (const JointEnd& end : ends)
         for (const float side : {-1.0F, 1.0F}) {
-            const auto near = faceAt(end, side * kNearest, blocks), far = faceAt(end, side * kFarthest, blocks);
-            if (!near || !far || near->normal != far->normal) continue;
-            marks.push_back(chalkStroke(near->place, far->place, near->normal));
+            const auto near = faceAt(end, side * kNearest, blocks);
+            if (!near) continue;
+            for (float reach = kFarthest; reach > kNearest + kShortest; reach -= kShorter) { // a face may be narrow
+                const auto far = faceAt(end, side * reach, blocks);
+                if (!far || near->normal != far->normal) continue;
+                marks.push_back(chalkStroke(near->place, far->place, near->normal));
+                break;
+            }
         }
     return marks;
 }

@@ -49,6 +49,20 @@ class Welder {
 
 } // namespace
 
+TEST_CASE("a weld whose end is not awaited is put out and judged at once; a short one is not", "[app]") {
+    Welder welder(test::smallBead());
+    const auto finish = [&] { return welder.session.attempt().finishWeld(*welder.session.run().trainer()); };
+    welder.lead(0.5, 1);
+    CHECK_FALSE(finish()); // some mm
+    welder.lead(1.5, 1);
+    REQUIRE(welder.session.run().arc().burns());
+    CHECK(finish());
+    CHECK_FALSE(welder.session.run().arc().burns());
+    REQUIRE(welder.session.attempt().judged());
+    CHECK(welder.session.attempt().judged()->judgement.verdict);
+    CHECK_FALSE(finish());
+}
+
 TEST_CASE("a finished weld is judged by itself once, and welding on or another attempt drops the judgement", "[app]") {
     Welder welder(test::smallBead());
     CHECK(welder.session.judges());
@@ -59,7 +73,7 @@ TEST_CASE("a finished weld is judged by itself once, and welding on or another a
     welder.session.judge(); // no judgement while the arc burns
     CHECK_FALSE(welder.session.attempt().judged());
     const auto waits = [&] { return welder.session.attempt().judging().waits(*welder.session.run().trainer()); };
-    CHECK_FALSE(waits());
+    CHECK(waits());
     welder.lead(0.5, 0);
     CHECK_FALSE(welder.session.attempt().judged());
     CHECK(waits());

@@ -138,7 +138,7 @@ TEST_CASE("an attempt that passed stays as it is, and what is redone is another 
     CHECK(kept[1].score);
     CHECK(kept[0].practice);
     const Recording first = readSoundRecording(kept[1].file), second = readSoundRecording(kept[0].file);
-    CHECK(first.end->reason == "redone in another attempt");
+    CHECK(first.end->reason == "another attempt began");
     CHECK(first.head.attempt == 1);
     CHECK(second.head.attempt == 2);
     CHECK(first.head.values == second.head.values);

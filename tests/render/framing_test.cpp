@@ -31,6 +31,16 @@ TEST_CASE("a camera that shows all points stays; others move aside first, and aw
         CHECK(x > -1);
         CHECK(x < 1 - 2 * 0.3f);
     }
+
+    const CoveredEdges replay{0, 0, 0.5f, 0.1f}; // a panel covers the lower half
+    const std::array<glm::vec3, 2> tall{glm::vec3(0, -1, 0), glm::vec3(0, 1, 0)};
+    const View over = framed(wanted, lens, 1.5f, replay, tall).view(lens, 1.5f);
+    for (const glm::vec3& point : tall) {
+        const glm::vec4 clip = over.eyeToClip * over.worldToEye * glm::vec4(point, 1);
+        const float y = clip.y / clip.w + replay.lift();
+        CHECK(y > -1 + 2 * replay.bottom);
+        CHECK(y < 1 - 2 * replay.top);
+    }
 }
 
 } // namespace meltpool

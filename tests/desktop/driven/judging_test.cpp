@@ -14,8 +14,10 @@ const char* const kQuickPicture = "[window]\nwidth = 960\nheight = 640\n[view]\n
 /// Welds some 15 mm of a bead by keys, and lets the trigger go.
 void weldAWhile(TrainerWindow& window) {
     window.xdotool({"keydown", "space", "keydown", "Shift_L", "keydown", "Right"});
-    const double begin =
-        window.waitFor("a pool", [](const json& s) { return s.at("metal").at("molten") > 50; }).at("torch").at("tip_mm").at(0);
+    const double begin = window.waitFor("a pool", [](const json& s) { return s.at("metal").at("molten") > 50; })
+                             .at("torch")
+                             .at("tip_mm")
+                             .at(0);
     window.waitFor("15 mm", [&](const json& s) { return s.at("torch").at("tip_mm").at(0) > begin + 15; });
     window.xdotool({"keyup", "Right", "keyup", "Shift_L", "keyup", "space"});
 }

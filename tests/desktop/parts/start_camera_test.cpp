@@ -57,6 +57,12 @@ TEST_CASE("seam and torch of every lesson begin in the part of the window that n
             camera.frame(controls, window.covered(), window.aspect());
             for (const glm::vec3& point : pointsToShow(lesson, torch))
                 CHECK(isUncovered(controls, window, point));
+            // With the torch put aside the picture moves less.
+            StartCamera aside;
+            Controls without;
+            aside.begin(without, lesson, torch);
+            aside.frame(without, window.covered(), window.aspect(), false);
+            CHECK(without.orbitCamera().distance() <= controls.orbitCamera().distance());
             if (!lesson.technique || static_cast<WorkpieceKind>(lesson.workpiece.kind) == WorkpieceKind::Pipe) continue;
             // A weld runs on past the counted length.
             const Seam seam = seamOf(lesson.workpiece);

@@ -44,7 +44,7 @@ TEST_CASE("a text is broken at whole words, and what has no room is marked") {
         CHECK(ui::wholeWords(font, size, text, whole + 1, 1) == std::vector<std::string>{text});
         const auto one = ui::wholeWords(font, size, text, 0.85f * whole, 1);
         REQUIRE(one.size() == 1);
-        CHECK(one[0] == "Best so far: 97, accepted ..");
+        CHECK(one[0] == "Best so far: 97, accepted .."); // not in the bracket
         const auto two = ui::wholeWords(font, size, text, 0.85f * whole, 2);
         REQUIRE(two.size() == 2);
         CHECK(two[0] + " " + two[1] == text);

@@ -71,6 +71,8 @@ TEST_CASE("a plate has a soapstone line, a joint marks at both ends of its lengt
     CHECK(chalk(smallLesson()) == 0);
     Lesson tee = smallBead();
     tee.workpiece.kind = static_cast<int>(WorkpieceKind::Tee);
+    tee.technique->lengthFromMm = -8;
+    tee.technique->lengthToMm = 8;
     CHECK(chalk(tee) == 4);
 }
 

@@ -40,7 +40,7 @@ AttemptHead headOf(const std::string& lesson) {
 TEST_CASE("a record is a torch path with the metal's figures behind", "[training]") {
     const auto file = test::scratchFolder("record") / "record.csv";
     {
-        Record record(file, headOf("classic"), true, false);
+        Record record(file, headOf("classic"), {true, false});
         for (int i = 1; i <= 100; ++i) {
             record.add({sampleAt(i), {}, 1});
             // Figures arrive two steps later.
@@ -69,7 +69,7 @@ TEST_CASE("a record is a torch path with the metal's figures behind", "[training
 TEST_CASE("what happened between the steps stands between the rows, and is read again", "[training]") {
     const auto file = test::scratchFolder("record-events") / "record.csv";
     {
-        Record record(file, headOf("classic"), true, false);
+        Record record(file, headOf("classic"), {true, false});
         record.add({sampleAt(1), {}, 1});
         record.event("zoom", "2");
         record.change("solidify_rate", "0.5");
@@ -134,15 +134,51 @@ TEST_CASE("a recorded attempt is repeated only on its own lesson, and its faults
     CHECK_FALSE(readRecordedAttempt(folder / "plain.csv"));
 }
 
+TEST_CASE("a record that goes on from an ended one has its values and rows, and counts their pace", "[training]") {
+    const auto folder = test::scratchFolder("record-from");
+    {
+        Record record(folder / "first.csv", headOf("classic"), {true, false});
+        for (int i = 1; i <= 4; ++i) {
+            record.add({sampleAt(i), {}, 0.5});
+            if (i == 2) record.event("zoom", "2");
+            record.complete(metalWith(static_cast<size_t>(i)));
+        }
+        record.end("over", 0xABCU);
+    }
+    AttemptHead head = headOf("classic");
+    head.attempt = 4;
+    head.values = {{"solidify_rate", "9"}}; // of now, not of the start
+    {
+        Record record(folder / "second.csv", head, {true, false, folder / "first.csv"});
+        CHECK(record.rows() == 4);
+        record.event("redo", "2");
+        record.add({sampleAt(3), {}, 1});
+        record.complete(metalWith(3));
+        record.end("over", 0xDEFU);
+    }
+    const auto first = readRecordedAttempt(folder / "first.csv"), second = readRecordedAttempt(folder / "second.csv");
+    REQUIRE(first);
+    REQUIRE(second);
+    CHECK(second->head.attempt == 4);
+    CHECK(second->redone == 1);
+    CHECK(second->rows == 3);
+    CHECK(second->stateHash == formatHexadecimal(std::uint64_t{0xDEF}));
+    REQUIRE(second->values.size() == first->values.size());
+    CHECK(second->values.front().value == "0.25");
+    REQUIRE(second->realTime);
+    CHECK(*second->realTime == Approx(5 / 9.0)); // four rows at half speed, one at full
+    CHECK_THROWS_AS(Record(folder / "third.csv", head, {true, false, folder / "nowhere.csv"}), InputError);
+}
+
 TEST_CASE("a place that cannot be written is bad input, a full disk is a fault, and no file is replaced",
           "[training]") {
-    CHECK_THROWS_AS(Record("/proc/nowhere/record.csv", {}, true, true), InputError);
-    if (std::filesystem::exists("/dev/full")) CHECK_THROWS_AS(Record("/dev/full", {}, true, true), RuntimeFault);
+    CHECK_THROWS_AS(Record("/proc/nowhere/record.csv", {}, {true, true}), InputError);
+    if (std::filesystem::exists("/dev/full")) CHECK_THROWS_AS(Record("/dev/full", {}, {true, true}), RuntimeFault);
     const auto file = test::scratchFolder("record-again") / "record.csv";
-    { const Record first(file, headOf("a"), true, false); }
-    CHECK_THROWS_AS(Record(file, headOf("b"), true, false), InputError);
+    { const Record first(file, headOf("a"), {true, false}); }
+    CHECK_THROWS_AS(Record(file, headOf("b"), {true, false}), InputError);
     CHECK(readTextFile(file).find("# lesson a\n") != std::string::npos);
-    { const Record third(file, headOf("c"), true, true); }
+    { const Record third(file, headOf("c"), {true, true}); }
     CHECK(readTextFile(file).find("# lesson c\n") != std::string::npos);
 }
 
@@ -151,7 +187,7 @@ TEST_CASE("the record of a process that melts a filler rod has the rod where one
     {
         AttemptHead head = headOf("gtaw");
         head.rod = head.arc = true;
-        Record record(file, head, true, false);
+        Record record(file, head, {true, false});
         for (int i = 1; i <= 10; ++i) {
             TorchSample torch = sampleAt(i);
             if (i > 5) torch.rod = RodSample{{0.01F, 0.002F, 0.001F * static_cast<float>(i)}, torch.orientation, 2e-3F};
