@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 using namespace meltpool;
 
@@ -99,6 +100,23 @@ TEST_CASE("a result's score is above its buttons, there is one Home, and no butt
                         [](const auto& place) { return place.first.ends_with(".home"); }) == 1);
     CHECK_FALSE(places.contains("headset.reset")); // the result has its own
     page.checkButtons();
+}
+
+TEST_CASE("the page of the machine has gas and a maker's chart, before the lesson and in it", "[app]") {
+    PanelPage page;
+    ShownPanel tall{{900, 4000, 2}}; // high enough for all of the page
+    for (const bool running : {false, true}) {
+        if (running) page.session.begin(page.controls);
+        const auto places = page.draw(tall);
+        INFO("running " << running);
+        REQUIRE(places.contains("simulation.gas"));
+        REQUIRE(places.contains("simulation.chart_take"));
+        CHECK(places.at("simulation.gas").y < places.at("simulation.chart_take").y);
+        const ui::Place take = places.at("simulation.chart_take");
+        CHECK(take.x + take.width <= 900);
+        if (const char* folder = std::getenv("MELTPOOL_LOOK"))
+            writePng(std::string(folder) + (running ? "/run.png" : "/set.png"), tall.picture());
+    }
 }
 
 TEST_CASE("no button of a lesson's page and a demonstration is cut off", "[app]") {

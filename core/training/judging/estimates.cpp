@@ -70,8 +70,7 @@ bool always(const SeamMillimetre& /*mm*/) {
 
 /// Returns the rule for a machine whose gas does not cover the pool anywhere; none if it does.
 std::optional<Rule> uncovered(const Equipment& tools) {
-    if (tools.gas == &shieldingGas(GasKind::none) || (tools.wire > 0 && tools.gasFlow <= 0))
-        return {{"no_gas", always}};
+    if (tools.withoutGas()) return {{"no_gas", always}};
     const double least = kLeastGasShare * kGasFlowPerMm * tools.wire * kPerMetre; // L/min
     if (tools.wire > 0 && tools.gasFlow < least) return {{"little_gas", always, "flow", least}};
     return std::nullopt;

@@ -108,6 +108,8 @@ struct Equipment {
 
     /// Returns the volume of wire fed, m³/s.
     double wireRate() const;
+    /// Returns true if the pool has no gas at all: none is connected, or none flows.
+    bool withoutGas() const;
 };
 
 } // namespace meltpool

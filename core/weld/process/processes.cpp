@@ -1,5 +1,7 @@
 #include "core/weld/process/processes.hpp"
 
+#include "core/weld/process/shielding_gas.hpp"
+
 #include <numbers>
 
 namespace meltpool {
@@ -64,6 +66,10 @@ Equipment equipmentOf(const ProcessSettings& settings) {
 
 double Equipment::wireRate() const {
     return std::numbers::pi / 4 * wire * wire * wireSpeed;
+}
+
+bool Equipment::withoutGas() const {
+    return gas == nullptr || gas == &shieldingGas(GasKind::none) || (wire > 0 && gasFlow <= 0);
 }
 
 std::string_view presentProcessName(std::string_view name) {

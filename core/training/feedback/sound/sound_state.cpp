@@ -71,7 +71,7 @@ void SoundState::step(const SoundStep& step) {
 
 /// Gas flows with the trigger and for a while after the arc, so that the hot metal does not burn.
 void SoundState::followGas(const SoundStep& step) {
-    const bool shielded = step.process->shielding == Shielding::gas;
+    const bool shielded = step.process->shielding == Shielding::gas && !step.withoutGas;
     const ProcessSound& sound = step.process->sound;
     if (arc_) postFlow_ = std::max(sound.postFlow, sound.postFlowPerAmpere * static_cast<double>(step.arc.current));
     const bool flows = shielded && (step.trigger >= kPulled || postFlow_ > 0);

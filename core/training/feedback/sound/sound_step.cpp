@@ -53,7 +53,9 @@ void SoundSource::step(const ProcessSettings& settings, const ArcState& arc, con
     if (tip_ && seconds > 0) last_.tipSpeed = glm::distance(*tip_, torch.tip) / static_cast<float>(seconds);
     tip_ = torch.tip;
     if (alternating_) last_.alternating = last_.process->alternating;
-    if (const Equipment tools = equipmentOf(settings); tools.wire > 0 && isOpen(arc))
+    const Equipment tools = equipmentOf(settings);
+    last_.withoutGas = tools.withoutGas();
+    if (tools.wire > 0 && isOpen(arc))
         last_.dropRate =
             static_cast<float>(wireDropRate(tools.wire, tools.wireSpeed, static_cast<double>(arc.current), *tools.gas));
     last_.shortPhase = shorts_.phase();

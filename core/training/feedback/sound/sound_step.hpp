@@ -18,6 +18,7 @@ struct SoundStep {
     ArcState arc;
     float trigger = 0;     ///< 0 released .. 1: gas flows, the machine is on
     float dropRate = 0;    ///< 1/s, drops from the wire into an open arc
+    bool withoutGas = false; ///< see Equipment::withoutGas()
     float alternating = 0; ///< Hz of the machine's alternating current; 0: direct current
     float tipSpeed = 0;    ///< speed of the tip, m/s
     float hottest = 0;     ///< hottest temperature of the metal, K; 0: unknown

@@ -143,6 +143,29 @@ TEST_CASE("gas flows before the arc and after it, then there is silence to the l
     }
     CHECK(isSilent(soundOf(noArc(Smaw::kTraits), 1)));
     CHECK(isSilent(soundOf(noArc(Flame::kTraits), 1)));
+    SoundStep dry = noArc(Gmaw::kTraits, 1);
+    dry.withoutGas = true;
+    CHECK(isSilent(soundOf(dry, 1)));
+}
+
+TEST_CASE("a wire machine whose gas is off or not connected has no rush of gas", "[sound]") {
+    ProcessSettings settings;
+    auto& gmaw = settings.choose<Gmaw>();
+    TorchSample torch;
+    torch.trigger = 1;
+    SoundSource source;
+    const auto withoutGas = [&] {
+        source.step(settings, {}, torch, 0.01, 0);
+        return source.last().withoutGas;
+    };
+    CHECK_FALSE(withoutGas());
+    gmaw.gasFlowLMin = 0;
+    CHECK(withoutGas());
+    gmaw.gasFlowLMin = 14;
+    gmaw.gas = static_cast<int>(GasKind::none);
+    CHECK(withoutGas());
+    settings.choose<Gtaw>();
+    CHECK_FALSE(withoutGas());
 }
 
 TEST_CASE("each thing that happens is heard: stub, scratch, flame, alternating current, ticks, hammer", "[sound]") {
