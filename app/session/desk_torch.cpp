@@ -200,6 +200,7 @@ void DeskTorch::leadByKeys(const InputFrame& input, const DeskFrame& frame, doub
         keyWays_ = steep ? glm::dmat2(0, sign(axes.across.x), sign(axes.along.y), 0)
                          : glm::dmat2(sign(axes.along.x), 0, 0, sign(axes.across.y));
     }
+    if (aside_ && held == glm::dvec2(0)) keyPace_ = {}; // keys that were let go do not lead a torch put aside
     keyPace_ += (keyWays_ * held - keyPace_) * (1 - std::exp(-frame.seconds / kKeyRamp));
     wanted_.place += keyPace_.x * speed * frame.seconds;
     wanted_.aim += keyPace_.y * speed * frame.seconds;

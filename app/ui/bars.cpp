@@ -276,8 +276,9 @@ void statusBar(Context& context, const LessonFigures& figures, const KeySituatio
 void messageStack(Context& context, Messages& messages, float left, float right) {
     if (messages.shown().empty()) return;
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    // Messages overlap the panels if those leave too little room.
-    if (screen.x - left - right < context.points(260)) left = right = 0;
+    // Messages lie over the panels if those leave too little room.
+    const bool over = screen.x - left - right < context.points(260);
+    if (over) left = right = 0;
     const float width = std::min(context.points(620), screen.x - left - right - context.points(40));
     ImGui::SetNextWindowPos({(left + screen.x - right) / 2, barHeight(context) + context.points(10)}, ImGuiCond_Always,
                             {0.5f, 0});
@@ -287,7 +288,7 @@ void messageStack(Context& context, Messages& messages, float left, float right)
                  (kFixed & ~ImGuiWindowFlags_NoBringToFrontOnFocus) | ImGuiWindowFlags_NoBackground |
                      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize);
     ImGui::PopStyleVar();
-    ImDrawList* draw = ImGui::GetWindowDrawList();
+    ImDrawList* draw = over ? ImGui::GetForegroundDrawList() : ImGui::GetWindowDrawList();
     const float pad = context.points(11);
     const Message* dismissed = nullptr;
     for (const Message& message : messages.shown()) {

@@ -90,8 +90,15 @@ void putTooltipBeside(Context& context) {
     const float left = ImGui::GetWindowPos().x, right = left + ImGui::GetWindowWidth();
     if (ImGui::GetWindowHeight() < context.points(60)) return; // a bar covers nothing below it
     const bool atRight = right + need <= screen.x;
-    if (!atRight && left < need) return putTooltipAtEdge();
     const float low = ImGui::GetItemRectMin().y, high = ImGui::GetItemRectMax().y;
+    if (!atRight && left < need) { // a page as wide as the window
+        const float gap = context.points(8), row = context.points(60);
+        if (low > 0.6f * screen.y) return putTooltipAtEdge();
+        const bool first = high < 0.12f * screen.y && ImGui::GetItemRectMin().x > need; // in the page's head
+        const ImVec2 place =
+            first ? ImVec2{ImGui::GetItemRectMin().x - gap, low} : ImVec2{screen.x / 2, screen.y - row};
+        return ImGui::SetNextWindowPos(place, ImGuiCond_Always, first ? ImVec2{1, 0} : ImVec2{0.5f, 1});
+    }
     const bool upper = (low + high) / 2 < screen.y / 2;
     ImGui::SetNextWindowPos({atRight ? right + margin : left - margin, upper ? low : high}, ImGuiCond_Always,
                             {atRight ? 0.0f : 1.0f, upper ? 0.0f : 1.0f});
