@@ -72,6 +72,8 @@ json headset(const HeadsetStatus& status) {
             {"tip_report", status.tipReport},
             {"warning", status.warning},
             {"notice", status.notice},
+            {"notice_at", numbers(status.noticeAt)},
+            {"end_at", numbers(status.endAt)},
             {"openings", status.openings},
             {"tracked", status.tracked},
             {"panel", status.panel},

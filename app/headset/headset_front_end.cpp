@@ -406,6 +406,8 @@ HeadsetStatus HeadsetFrontEnd::status() const {
     status.tipReport = hands_.tipReport();
     status.warning = warning();
     if (drawn_) status.notice = notice_.text.text();
+    status.noticeAt = workshop_.toSession(notice_.place.pose()).position;
+    status.endAt = workshop_.toSession({{1, 0, 0, 0}, notice_.place.end()}).position;
     status.openings = connection_.openings();
     status.tracked = hands_.torch().tracked();
     status.triggerLocked = hands_.torch().triggerLock().locked() || !changes_.lessonRuns();

@@ -80,6 +80,7 @@ HeadsetMenuAnswer HeadsetMenu::draw(const xr::Panel& panel, const PointerOnPanel
 void HeadsetMenu::homePart(ui::Context& context, LessonSession& session, const HeadsetMenuContent& content) {
     ui::strongText(context, phrase(content.home.who.asked() ? "persons.heading" : "headset.lessons"));
     if (!content.warning.empty()) ui::quietText(context, content.warning);
+    if (!lessonSeen_ && !content.home.who.asked()) plainText(phrase("headset.how_to_press"));
     ImGui::Dummy({0, context.points(4)});
     if (const MenuRequest asked = ui::homePart(context, content.home, session.activities()); asked != MenuRequest::none)
         answer_.request = asked;

@@ -87,6 +87,7 @@ std::string_view wayToWork(const xr::Pose& head, const glm::vec3& work) {
 
 void NoticePlace::update(bool atTorch, const xr::Pose& head, const std::optional<glm::vec3>& tip, float tableHeight,
                          double elapsed, const std::optional<xr::Pose>& panel) {
+    end_ = tip.value_or(end_);
     if (!atTorch) {
         pose_ = {glm::angleAxis(-1.0f, glm::vec3(1, 0, 0)), {0, tableHeight + 0.06f, 0.22f}};
         width_ = widthAt(glm::distance(head.position, pose_.position));

@@ -50,6 +50,8 @@ class NoticePlace {
     void update(bool atTorch, const xr::Pose& head, const std::optional<glm::vec3>& tip, float tableHeight,
                 double elapsed, const std::optional<xr::Pose>& panel = {});
     const xr::Pose& pose() const { return pose_; }
+    /// Last seen end of the torch.
+    const glm::vec3& end() const { return end_; }
     /// Width of the picture at that pose, m.
     float width() const { return width_; }
 
@@ -57,6 +59,7 @@ class NoticePlace {
     xr::Pose pose_;
     float width_ = 0;
     glm::vec3 position_{0.0f};
+    glm::vec3 end_{0.0f};
     bool known_ = false;
 };
 

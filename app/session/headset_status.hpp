@@ -30,6 +30,8 @@ struct HeadsetStatus {
     std::string mode; ///< state of the session: "waiting", "synchronized", "visible", "focused"; empty: there is none
     std::string warning;
     std::string notice;    ///< notices before the person's eyes, one per line
+    glm::vec3 noticeAt{0.0f}; ///< their middle, m, in the headset's space
+    glm::vec3 endAt{0.0f};    ///< end of the torch at which they hang, there; the place of its tip until it burns off
     std::string tipReport; ///< request or result of measuring the torch's tip
     bool mirrored = false; ///< the window shows the trainee's eye
     int openings = 0;

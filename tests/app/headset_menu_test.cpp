@@ -56,6 +56,8 @@ class PanelPage {
         CHECK(checked >= 3);
     }
 
+    /// Shows the list of lessons, or the lesson again.
+    void goHome(bool home) { home_.open = home; }
     /// Welds the seam, and waits for the judgement.
     void weld() {
         session.begin(controls);
@@ -139,4 +141,22 @@ TEST_CASE("a tooltip is at the panel's far edge and leaves the rows around its b
     CHECK(differing(without, with, bottom, bottom + kRows) == 0);
     CHECK(differing(without, with, top - kRows, top - 2) == 0);
     CHECK(differing(without, with, bottom + kRows, without.height) > 2000);
+}
+
+TEST_CASE("the first page says above its lessons how they are pressed; after a lesson it no longer does", "[app]") {
+    PanelPage page;
+    page.goHome(true);
+    const auto first = page.draw(page.usual);
+    page.goHome(false);
+    page.draw(page.usual);
+    page.goHome(true);
+    const auto later = page.draw(page.usual);
+    const auto topTile = [](const std::map<std::string, ui::Place>& places) {
+        float top = 1e9f;
+        for (const auto& [name, place] : places)
+            if (name.starts_with("home.lesson.")) top = std::min(top, place.y);
+        return top;
+    };
+    CHECK(topTile(first) > topTile(later) + 40); // two lines
+    CHECK(topTile(first) < 250);                 // in sight without the stick
 }
