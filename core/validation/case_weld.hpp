@@ -4,7 +4,7 @@
 #include "core/base/function_ref.hpp"
 #include "core/validation/torch_run.hpp"
 #include "core/validation/validation.hpp"
-#include "core/weld/gauge/weld_section.hpp"
+#include "core/weld/gauge/weld_stations.hpp"
 
 namespace meltpool {
 
@@ -29,6 +29,9 @@ class CaseWeld {
 
     /// Returns the section from `low` to `high` (m along the seam).
     Section section(double low, double high) const;
+
+    /// Returns the measures of the whole weld at these stations.
+    WeldMeasures measure(WeldKind kind, const StationSettings& stations) const;
 
     /// Adds the arc's means and refused filler to the result.
     void tellArc(const ValidationCase& from, ValidationResult& result) const;
