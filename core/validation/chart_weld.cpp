@@ -4,6 +4,7 @@
 #include "core/weld/workpiece/simulated_size.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -13,11 +14,11 @@ namespace {
 
 constexpr float kMm = 1e-3F;
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kFreezing = 2;    // s after the arc
-constexpr double kStrikes = 0.25;  // s at the start until the wire's arc has a pool
-constexpr double kRunIn = 5;       // mm of weld before the stretch that counts, and behind it
-constexpr double kBeyond = 5;      // mm of plate beyond the weld at each end
-constexpr float kAcross = 15;      // mm of plate on each side of the seam
+constexpr double kFreezing = 2;   // s after the arc
+constexpr double kStrikes = 0.25; // s at the start until the wire's arc has a pool
+constexpr double kRunIn = 5;      // mm of weld before the stretch that counts, and behind it
+constexpr double kBeyond = 5;     // mm of plate beyond the weld at each end
+constexpr float kAcross = 15;     // mm of plate on each side of the seam
 
 /// The case in SI. x along the seam with the joint's middle at 0.
 struct ChartWeld {
@@ -61,9 +62,7 @@ struct ChartWeld {
         run.duration = kStrikes;
         run.fromOrientation = run.toOrientation = heldOrientation(held.workAngle, held.travelAngle, {1, 0, 0});
         const glm::vec3 back = run.fromOrientation * glm::vec3(0, 0, 1) * held.height;
-        const auto at = [&](double x) {
-            return glm::vec3(static_cast<float>(x), 0, static_cast<float>(aim)) + back;
-        };
+        const auto at = [&](double x) { return glm::vec3(static_cast<float>(x), 0, static_cast<float>(aim)) + back; };
         run.from = run.to = at(-half);
         run.trigger = 1;
         TorchMove weld = run;
@@ -121,14 +120,81 @@ void compareMeans(const ValidationCase& from, const WeldMeasures& weld, Validati
     compare("penetration_mm", mean.penetration, 1e-3);
 }
 
+/// Means over the middle of the weld: where the arc's heat lands and how warm the plates are before the liquid's edge.
+class HeatWatch {
+  public:
+    HeatWatch(const ChartWeld& chart, const CaseWeld& weld, double solidus)
+        : chart_(chart), weld_(weld), solidus_(solidus) {}
+
+    /// Looks ten times a second, while the torch passes the middle half of the weld.
+    void look(double time) {
+        constexpr double kPause = 0.1, kFrom = 0.3, kTo = 0.8;
+        const double way = (time - kStrikes) / (chart_.seconds() - kStrikes);
+        if (way < kFrom || way > kTo || time < next_) return;
+        next_ = time + kPause;
+        const auto sources = weld_.weld().process().sources();
+        const ArcState& arc = weld_.weld().arc();
+        if (sources.empty() || !(arc.power > 0)) return;
+        const ParticleValues metal = weld_.particles();
+        const MetalLattice& lattice = weld_.weld().metal().state().lattice();
+        const bool butt = chart_.joint.kind == static_cast<int>(WorkpieceKind::Butt);
+        const ArcLanding landing = arcLanding(lattice, metal, sources[0], solidus_, butt);
+        const double place = -chart_.half + way * 2 * chart_.half;
+        const LineWarmth line = lineWarmth(lattice, metal, place - kLayers, place, kBeforeLine);
+        const std::array<std::optional<double>, kCount> found{
+            100 * (1 - static_cast<double>(sources[0].power) / arc.power),
+            100 * landing.caught,
+            100 * landing.solid,
+            100 * landing.ahead,
+            100 * landing.lying,
+            100 * landing.standing,
+            butt ? std::nullopt : line.lying,
+            butt ? std::nullopt : line.standing};
+        for (size_t i = 0; i < kCount; ++i)
+            if (found[i]) {
+                sums_[i] += *found[i];
+                ++counts_[i];
+            }
+    }
+
+    void tell(ValidationResult& result) const {
+        constexpr std::array<const char*, kCount> kNames{"heat_by_drops_percent",      "arc_caught_percent",
+                                                         "arc_on_solid_percent",       "arc_on_solid_ahead_percent",
+                                                         "arc_on_solid_lying_percent", "arc_on_solid_standing_percent",
+                                                         "line_warmth_lying_k",        "line_warmth_standing_k"};
+        for (size_t i = 0; i < kCount; ++i)
+            if (counts_[i] > 0) result.tell(kNames[i], sums_[i] / static_cast<double>(counts_[i]));
+    }
+
+  private:
+    static constexpr size_t kCount = 8;
+    static constexpr double kLayers = 4e-3;       ///< m along the seam from the torch back
+    static constexpr double kBeforeLine = 0.4e-3; ///< m
+
+    const ChartWeld& chart_;
+    const CaseWeld& weld_;
+    double solidus_, next_ = 0;
+    std::array<double, kCount> sums_{};
+    std::array<int, kCount> counts_{};
+};
+
 } // namespace
 
 void runChartWeld(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result) {
     const ChartWeld chart(from);
     chart.require(from);
     CaseWeld weld(from, shaders, chart.process, makeWorkpiece(chart.joint), chart.ambient, chart.seconds());
-    weld.run(chart.path(), chart.seconds() + kFreezing, result);
+    HeatWatch watch(chart, weld, from.material.solidus);
+    const double end = chart.seconds() + kFreezing;
+    weld.run(
+        chart.path(),
+        [&](double time) {
+            watch.look(time);
+            return time < end;
+        },
+        result);
     weld.tellArc(from, result);
+    watch.tell(result);
     StationSettings stations;
     stations.seam = FaceStretch{-chart.half, chart.half};
     result.weld = JudgedWeld{weld.measure(weldKindOf(chart.joint), stations), chart.nominal(from)};
