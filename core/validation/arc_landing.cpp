@@ -98,7 +98,8 @@ double cellWeight(const HeatSource& source, glm::vec3 centre, const Surface& sur
     const double depth = glm::dot(away, axis), off2 = std::max(0.0, glm::dot(away, away) - depth * depth);
     const auto sigma = static_cast<double>(source.size);
     return surface.area * spacing * spacing * std::max(0.0, -glm::dot(surface.normal, axis)) *
-           std::exp(-off2 / (2 * sigma * sigma)) * shareInFront(source, spacing, depth / spacing, std::sqrt(off2) / spacing);
+           std::exp(-off2 / (2 * sigma * sigma)) *
+           shareInFront(source, spacing, depth / spacing, std::sqrt(off2) / spacing);
 }
 
 /// Foremost place of liquid along the seam within `reach` of the source; its own place without liquid.
