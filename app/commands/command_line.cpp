@@ -159,6 +159,14 @@ void addOthers(CLI::App& app, Arguments& arguments) {
     validate->add_option("CASE", arguments.validation.cases,
                          "Case files (.toml) or folders of them; by default all shipped ones");
     addResultPlace(*validate, arguments.validation.results);
+    validate
+        ->add_option("--voltage-offset", arguments.validation.voltageOffset,
+                     "V added to welds at a chart's values, such as -4")
+        ->type_name("V");
+    validate
+        ->add_option("--speed-factor", arguments.validation.speedFactor,
+                     "Travel speed of welds at a chart's values, times the chart's, such as 2")
+        ->type_name("FACTOR");
     CLI::App* history = app.add_subcommand("history", "Draw results of bench and validate over time, as one HTML page");
     history->add_option("FOLDER", arguments.history.folder, "Folder that --results of bench and validate has filled")
         ->required();

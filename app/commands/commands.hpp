@@ -44,6 +44,9 @@ bool runTrainer(const DesktopOptions& options);
 struct ValidationRequest {
     std::vector<std::filesystem::path> cases; ///< empty: all shipped cases
     ResultPlace results;
+    /// Changes of the welds at a chart's values, instead of those in the files.
+    std::optional<double> voltageOffset; ///< V
+    std::optional<double> speedFactor;   ///< times the travel speed
 };
 
 /// Runs validation cases and prints every number next to its expected value. Returns false when a case failed; throws

@@ -10,11 +10,13 @@
 #include "core/base/resources.hpp"
 #include "core/base/text.hpp"
 #include "core/gl/context.hpp"
+#include "core/training/judging/verdict.hpp"
 #include "core/validation/mean_errors.hpp"
 #include "core/validation/validation.hpp"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <new>
@@ -53,6 +55,7 @@ Json resultJson(const ValidationResult& result) {
               {"wall_seconds", result.wallSeconds},
               {"passed", result.passed()}};
     if (!result.error.empty()) json["error"] = result.error;
+    if (!result.faults.empty()) json["faults"] = result.faults;
     json["numbers"] = Json::array();
     for (const ValidationNumber& number : result.numbers)
         json["numbers"].push_back(numberJson(number));
@@ -142,6 +145,49 @@ void requireNoSource(const std::filesystem::path& json, const std::vector<std::f
     }
 }
 
+/// Level of the verdict on welds at a chart's values: that of a school.
+constexpr const char* kChartAcceptance = "iso5817-c";
+
+/// Changes a weld at a chart's values as the request asks. Throws InputError for a value out of range.
+void changeChart(ValidationCase& one, const ValidationRequest& request) {
+    const auto change = [&](const char* key, const std::optional<double>& value) {
+        const auto found = one.numbers.find(key);
+        if (!value || found == one.numbers.end()) return;
+        const auto& keys = one.kind->keys;
+        const auto known = std::find_if(keys.begin(), keys.end(), [&](const CaseKey& each) { return each.key == key; });
+        if (*value < known->minimum || *value > known->maximum)
+            throw InputError(std::string(key) + " is " + formatNumber(*value) + "; expected a number from " +
+                             formatNumber(known->minimum) + " to " + formatNumber(known->maximum));
+        found->second = *value;
+    };
+    change("voltage_offset_v", request.voltageOffset);
+    change("speed_factor", request.speedFactor);
+}
+
+/// Returns an imperfection that fails, with value and limit.
+std::string faultText(const VerdictItem& item) {
+    std::string text = item.name;
+    if (item.value) text += " " + formatNumber(std::round(*item.value * 100) / 100) + " " + std::string(item.unit);
+    if (item.limit)
+        text += (item.kind == LimitKind::atLeast ? ", at least " : ", at most ") +
+                formatNumber(std::round(*item.limit * 100) / 100) + " " + std::string(item.unit);
+    return text;
+}
+
+/// Judges the weld of a result by ISO 5817 C. A weld at the chart's own values must be accepted; of a changed one the
+/// verdict has no reference.
+void judgeChart(const ValidationCase& one, ValidationResult& result) {
+    if (!result.weld) return;
+    const Verdict verdict = judge(result.weld->measures, findAcceptance(kChartAcceptance), result.weld->nominal);
+    for (const VerdictItem& item : verdict.items)
+        if (item.state == VerdictState::fail) result.faults.push_back(faultText(item));
+    const bool changed = one.number("voltage_offset_v") != 0 || one.number("speed_factor") != 1;
+    if (changed)
+        result.tell("accepted", verdict.accepted ? 1 : 0);
+    else
+        result.compareExact(one, "accepted", 1, verdict.accepted ? 1 : 0);
+}
+
 /// Reason for a case's early end: the person's input (exit code 2) or the machine (1).
 struct Ends {
     std::string input, machine;
@@ -149,6 +195,7 @@ struct Ends {
     void run(const ValidationCase& one, gl::ShaderLibrary& shaders, ValidationResult& result) {
         try {
             runValidationCase(one, shaders, result);
+            judgeChart(one, result);
         } catch (const InputError& error) {
             result.error = error.what();
             if (input.empty()) input = result.error;
@@ -173,7 +220,7 @@ bool runValidation(const ValidationRequest& request) {
     requireNoSource(request.results.named, files);
     std::vector<ValidationCase> cases;
     for (const auto& file : files)
-        cases.push_back(readValidationCase(file));
+        changeChart(cases.emplace_back(readValidationCase(file)), request);
 
     const gl::HeadlessContext context(false);
     gl::ShaderLibrary shaders(resourceFolder() / "shaders");

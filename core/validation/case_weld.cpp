@@ -75,6 +75,16 @@ Section CaseWeld::section(double low, double high) const {
     return measureSection(weld_.metal().state(), piece_.seeds, sectionCut(material_, low, high));
 }
 
+ParticleValues CaseWeld::particles() const {
+    const MetalState& state = weld_.metal().state();
+    const size_t count = state.particles();
+    return {state.position.read<vec4>(count), state.heat.read<vec4>(count), state.phase.read<uint>(count)};
+}
+
+WeldMeasures CaseWeld::measure(WeldKind kind, const StationSettings& stations) const {
+    return measureWeld(weld_.metal().state(), piece_.seeds, material_, kind, stations);
+}
+
 void CaseWeld::tellArc(const ValidationCase& from, ValidationResult& result) const {
     const double time = std::max(arc_.burning, 1e-9);
     result.compareMeasured(from, "current_a", arc_.current / time);

@@ -2,9 +2,10 @@
 #pragma once
 
 #include "core/base/function_ref.hpp"
+#include "core/validation/arc_landing.hpp"
 #include "core/validation/torch_run.hpp"
 #include "core/validation/validation.hpp"
-#include "core/weld/gauge/weld_section.hpp"
+#include "core/weld/gauge/weld_stations.hpp"
 
 namespace meltpool {
 
@@ -29,6 +30,11 @@ class CaseWeld {
 
     /// Returns the section from `low` to `high` (m along the seam).
     Section section(double low, double high) const;
+
+    /// Reads every particle; waits for the GPU.
+    ParticleValues particles() const;
+    /// Returns the measures of the whole weld at these stations.
+    WeldMeasures measure(WeldKind kind, const StationSettings& stations) const;
 
     /// Adds the arc's means and refused filler to the result.
     void tellArc(const ValidationCase& from, ValidationResult& result) const;

@@ -25,7 +25,8 @@ double filledUnderArc(double section) {
 double feedAt(const ValidationCase& from, const WireFeed& feed, double current) {
     const double ctwd = from.number("ctwd_mm") * 1e-3;
     const auto melting = [&](double filled) { return feedAtCurrent(feed, ctwd - filled, current); };
-    if (from.kind->name != "fillet") return melting(0);
+    const std::string_view kind = from.kind->name;
+    if (kind != "fillet" && kind != "chart_tee" && kind != "chart_lap") return melting(0);
     const double radius = from.number("wire_diameter_mm") * 0.5e-3;
     const double wire = std::numbers::pi * radius * radius, travel = from.number("speed_mm_s") * 1e-3;
     double speed = melting(0);
@@ -53,6 +54,8 @@ void setWire(const ValidationCase& from, GmawSettings& gmaw) {
         feed.voltage = from.number("power_w") / from.number("current_a");
     if (feed.speed <= 0) feed.speed = feedAt(from, feed, from.number("current_a"));
     if (feed.voltage <= 0) feed.voltage = voltageOfPower(feed, ctwd, from.number("power_w"));
+    if (const auto offset = from.numbers.find("voltage_offset_v"); offset != from.numbers.end())
+        feed.voltage += offset->second;
     gmaw.voltage = static_cast<float>(feed.voltage);
     gmaw.wireFeedMPerMin = static_cast<float>(feed.speed * 60);
     gmaw.wireDiameterMm = static_cast<float>(diameter * 1e3);

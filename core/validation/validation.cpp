@@ -28,6 +28,9 @@ constexpr std::array kRunners{
     Runner{"cavity_melting", runCavityMelting},
     Runner{"bead_on_plate", runBeadOnPlate},
     Runner{"fillet", runFillet},
+    Runner{"chart_tee", runChartWeld},
+    Runner{"chart_lap", runChartWeld},
+    Runner{"chart_butt", runChartWeld},
     Runner{"arc_spot", runArcSpot},
     Runner{"cooling", runCooling},
     Runner{"droplet_pressure", runDropletPressure},
@@ -165,6 +168,8 @@ std::string validationText(const ValidationResult& result) {
                        std::to_string(result.steps) + " steps, " + figure(result.wallSeconds, 3) + " s)\n";
     for (const ValidationNumber& number : result.numbers)
         text += numberText(number);
+    for (const std::string& fault : result.faults)
+        text += "      fault: " + fault + "\n";
     if (!result.error.empty()) text += "      ended early: " + result.error + "\n";
     return text;
 }

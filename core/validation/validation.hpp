@@ -3,8 +3,10 @@
 
 #include "core/gl/program.hpp"
 #include "core/validation/validation_case.hpp"
+#include "core/weld/gauge/weld_figures.hpp"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +25,12 @@ struct ValidationNumber {
     std::string moment; ///< distinguishes several with one name, such as "132 s"; else empty
 };
 
+/// A whole weld for a verdict by a standard's limits.
+struct JudgedWeld {
+    WeldMeasures measures;
+    NominalWeld nominal;
+};
+
 struct ValidationResult {
     std::string name;
     std::string kind;
@@ -33,6 +41,8 @@ struct ValidationResult {
     double wallSeconds = 0;
     std::vector<ValidationNumber> numbers;
     std::string error; ///< reason why the case ended early; else empty
+    std::optional<JudgedWeld> weld;  ///< of a weld at a chart's values
+    std::vector<std::string> faults; ///< imperfections of that weld beyond a limit, in words
 
     bool passed() const;
 
@@ -69,6 +79,7 @@ void runEnergy(const ValidationCase& from, gl::ShaderLibrary& shaders, Validatio
 void runCavityMelting(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
 void runBeadOnPlate(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
 void runFillet(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
+void runChartWeld(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
 void runArcSpot(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
 void runCooling(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
 void runDropletPressure(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);

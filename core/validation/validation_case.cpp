@@ -115,6 +115,19 @@ constexpr std::array kFillet =
                              CaseKey{"travel_angle_deg", number, -60, 60, 0.0, "positive pushes"}},
                   kPlate),
            kArc);
+constexpr std::array kChart =
+    joined(std::array{kTravel, CaseKey{"thickness_mm", number, 0.1, 100, kNeeded, "of each plate"},
+                      CaseKey{"gap_mm", number, 0, 10, 0.0, "of a butt joint"},
+                      CaseKey{"seam_mm", number, 4, 1000, 20.0, "of weld that counts; 5 mm more at each end do not"},
+                      CaseKey{"leg_mm", number, 0, 50, 0.0, "intended leg of a fillet; 0: none is asked for"},
+                      CaseKey{"travel_angle_deg", number, -60, 60, 15.0, "positive pushes"},
+                      CaseKey{"aim_mm", number, -10, 10, 0.0, "of the torch off the seam, on the base plate"},
+                      CaseKey{"weave_mm", number, 0, 20, 0.0, "width of a weave; 0: none"},
+                      CaseKey{"weave_hz", number, 0, 10, 5.0, "swings of the weave a second"},
+                      CaseKey{"voltage_offset_v", number, -30, 30, 0.0, "added to the voltage at a given wire feed"},
+                      CaseKey{"speed_factor", number, 0.1, 10, 1.0, "times the travel speed at a given wire feed"},
+                      CaseKey{"ambient_k", number, 1, kHot, kNeeded, "plate and air"}},
+           kArc);
 constexpr std::array kSpot = joined(
     joined(std::array{CaseKey{"on_s", number, 0.02, 600, kNeeded, "time that the trigger is pulled"}}, kPlate), kArc);
 constexpr std::array kCooling =
@@ -126,6 +139,13 @@ constexpr std::array kCooling =
 
 constexpr std::string_view kDepthResults = "temperature_at_Xmm_k";
 constexpr std::string_view kFrontResults = "front_mm, melted_mm, frozen_mm";
+constexpr std::string_view kChartResults =
+    "current_a, voltage_v, arc_length_mm, leg_lying_mm, leg_standing_mm, throat_mm, height_mm, toe_angle_lying_deg, "
+    "toe_angle_standing_deg, overlap_lying_mm, overlap_standing_mm, undercut_lying_mm, undercut_standing_mm, "
+    "root_fused_percent, root_fusion_mm, root_missing_mm, excess_penetration_mm, hole_mm, penetration_mm, accepted, "
+    "heat_by_drops_percent, arc_caught_percent, arc_on_solid_percent, arc_on_solid_ahead_percent, "
+    "arc_on_solid_lying_percent, arc_on_solid_standing_percent, line_warmth_lying_k, line_warmth_standing_k, "
+    "refused_filler";
 constexpr std::string_view kRosenthalResults =
     "temperature_at_XI_Y_Zmm_k, field_rms_percent, field_max_percent, settled_after_s";
 
@@ -157,6 +177,9 @@ constexpr std::array kKinds{
              "current_a, voltage_v, arc_length_mm, leg_mm, leg_lying_mm, leg_standing_mm, throat_mm, "
              "edge_angle_lying_deg, edge_angle_standing_deg, root_fusion_mm, penetration_mm, deposited_mm2, "
              "fused_width_mm, fused_plate_mm2, refused_filler"},
+    CaseKind{"chart_tee", kChart, CaseMatter::melting, false, kChartResults},
+    CaseKind{"chart_lap", kChart, CaseMatter::melting, false, kChartResults},
+    CaseKind{"chart_butt", kChart, CaseMatter::melting, false, kChartResults},
     CaseKind{"arc_spot", kSpot, CaseMatter::melting, false,
              "current_a, voltage_v, arc_length_mm, diameter_mm, fused_diameter_mm, height_mm, penetration_mm, "
              "refused_filler"},
@@ -367,8 +390,10 @@ void checkArc(TomlTable& table, const ValidationCase& result) {
 void checkWeld(TomlTable& table, const ValidationCase& result) {
     const std::string_view kind = result.kind->name;
     checkArc(table, result);
-    if (kind == "fillet" && !hasWire(result))
-        table.fail("wire_diameter_mm", "is missing; expected a wire, because a fillet needs filler");
+    const bool chart = kind.starts_with("chart_");
+    if ((kind == "fillet" || chart) && !hasWire(result))
+        table.fail("wire_diameter_mm", "is missing; expected a wire, because a " +
+                                           std::string(chart ? "joint" : "fillet") + " needs filler");
     if (kind != "cooling") return;
     if (result.number("cold_k") >= result.number("hot_k")) table.fail("cold_k", "expected less than hot_k");
     if (result.number("until_k") > result.number("cold_k")) table.fail("until_k", "expected at most cold_k, or 0");
@@ -382,7 +407,8 @@ void checkTogether(TomlTable& table, const ValidationCase& result) {
     if (kind.starts_with("rosenthal")) checkRosenthal(table, result);
     if (kind.starts_with("stefan")) checkStefan(table, result);
     if (kind == "energy" && result.number("on_s") > 0) checkArc(table, result);
-    if (kind == "bead_on_plate" || kind == "fillet" || kind == "arc_spot" || kind == "cooling")
+    if (kind == "bead_on_plate" || kind == "fillet" || kind == "arc_spot" || kind == "cooling" ||
+        kind.starts_with("chart_"))
         checkWeld(table, result);
     if (kind == "poiseuille" && result.number("body_force_n_m3") == 0)
         table.fail("body_force_n_m3", "is 0, so nothing flows; expected another force");

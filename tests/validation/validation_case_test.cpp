@@ -250,6 +250,13 @@ const std::vector<KindAndKeys> kKinds{
                       "wire_feed_m_min = 7\nplate_mm = [60, 9, 30]\nambient_k = 293"},
     {"fillet", "process = \"gmaw\"\nvoltage = 20\ncurrent_a = 130\nspeed_mm_s = 9\nwire_diameter_mm = 1.0\n"
                "plate_mm = [60, 4, 30]\nambient_k = 293\nwork_angle_deg = 40\ntravel_angle_deg = 10\nstanding_mm = 20"},
+    {"chart_tee", "process = \"gmaw\"\nvoltage = 20\ncurrent_a = 150\nspeed_mm_s = 8.3\nwire_diameter_mm = 1.2\n"
+                  "thickness_mm = 3.2\nleg_mm = 3.5\nseam_mm = 20\nvoltage_offset_v = -4\nspeed_factor = 2\n"
+                  "ambient_k = 293"},
+    {"chart_lap", "process = \"gmaw\"\nvoltage = 20\ncurrent_a = 150\nspeed_mm_s = 8.3\nwire_diameter_mm = 1.2\n"
+                  "thickness_mm = 3.2\naim_mm = 0.4\ntravel_angle_deg = 10\nambient_k = 293"},
+    {"chart_butt", "process = \"gmaw\"\nvoltage = 20\ncurrent_a = 150\nspeed_mm_s = 8.3\nwire_diameter_mm = 1.2\n"
+                   "thickness_mm = 3.2\ngap_mm = 1.1\nweave_mm = 2\nweave_hz = 5\nambient_k = 293"},
     {"arc_spot", "process = \"gtaw\"\ncurrent_a = 130\non_s = 2\nplate_mm = [30, 6, 30]\nambient_k = 293"},
     {"cooling", "power_w = 1500\nvoltage = 18\nspeed_mm_s = 9\nwire_diameter_mm = 1.0\nwire_feed_m_min = 5\n"
                 "plate_mm = [60, 4, 30]\nambient_k = 293\nhot_k = 1700\ncold_k = 1500\nuntil_k = 773"},

@@ -1,0 +1,205 @@
+// A weld at the values of a maker's chart, on the joint that the chart is for: a tee, a lap or a square butt.
+#include "core/validation/case_size.hpp"
+#include "core/validation/case_weld.hpp"
+#include "core/weld/workpiece/simulated_size.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace meltpool {
+
+namespace {
+
+constexpr float kMm = 1e-3F;
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kFreezing = 2;   // s after the arc
+constexpr double kStrikes = 0.25; // s at the start until the wire's arc has a pool
+constexpr double kRunIn = 5;      // mm of weld before the stretch that counts, and behind it
+constexpr double kBeyond = 5;     // mm of plate beyond the weld at each end
+constexpr float kAcross = 15;     // mm of plate on each side of the seam
+
+/// The case in SI. x along the seam with the joint's middle at 0.
+struct ChartWeld {
+    ProcessSettings process;
+    WorkpieceParameters joint;
+    TorchPose held;
+    double speed, half, aim, weave, frequency, ambient;
+
+    explicit ChartWeld(const ValidationCase& from)
+        : process(caseProcess(from)),
+          speed(from.number("speed_mm_s") * from.number("speed_factor") * 1e-3),
+          half((from.number("seam_mm") / 2 + kRunIn) * 1e-3),
+          aim(from.number("aim_mm") * 1e-3),
+          weave(from.number("weave_mm") * 1e-3),
+          frequency(from.number("weave_hz")),
+          ambient(from.number("ambient_k")) {
+        const std::string_view kind = from.kind->name;
+        const bool butt = kind == "chart_butt";
+        joint.kind = static_cast<int>(butt                  ? WorkpieceKind::Butt
+                                      : kind == "chart_lap" ? WorkpieceKind::Lap
+                                                            : WorkpieceKind::Tee);
+        joint.spacingMm = static_cast<float>(from.spacing * 1e3);
+        joint.lengthMm = wholeSpacings(2e3 * half + 2 * kBeyond, joint.spacingMm);
+        joint.thicknessMm = static_cast<float>(from.number("thickness_mm"));
+        joint.gapMm = static_cast<float>(from.number("gap_mm"));
+        joint.widthMm = 2 * kAcross + (butt ? joint.gapMm : 0);
+        joint.heightMm = wholeSpacings(static_cast<double>(kAcross), joint.spacingMm);
+        if (butt && joint.gapMm > 0) {
+            joint.tackCount = 2;
+            joint.tackLengthMm = static_cast<float>(kBeyond + 2);
+        }
+        joint.temperatureC = static_cast<float>(ambient - 273.15);
+        held = {caseTorchHeight(from, process), (butt ? 90 : 45) * kDegree, from.number("travel_angle_deg") * kDegree};
+    }
+
+    double seconds() const { return kStrikes + 2 * half / speed; }
+
+    /// Strikes, waits for a pool, and welds along the seam with the trigger pulled.
+    TorchPath path() const {
+        TorchMove run;
+        run.duration = kStrikes;
+        run.fromOrientation = run.toOrientation = heldOrientation(held.workAngle, held.travelAngle, {1, 0, 0});
+        const glm::vec3 back = run.fromOrientation * glm::vec3(0, 0, 1) * held.height;
+        const auto at = [&](double x) { return glm::vec3(static_cast<float>(x), 0, static_cast<float>(aim)) + back; };
+        run.from = run.to = at(-half);
+        run.trigger = 1;
+        TorchMove weld = run;
+        weld.begin = kStrikes;
+        weld.duration = 2 * half / speed;
+        weld.to = at(half);
+        if (weave > 0) {
+            weld.weaveSide = acrossSeam({1, 0, 0});
+            weld.weaveWidth = weave;
+            weld.weaveHalfSwings = static_cast<int>(std::lround(2 * frequency * weld.duration));
+        }
+        return TorchPath(std::vector{run, weld});
+    }
+
+    NominalWeld nominal(const ValidationCase& from) const {
+        NominalWeld nominal;
+        nominal.thickness = static_cast<double>(simulatedWorkpiece(joint).thicknessMm) * 1e-3;
+        if (from.number("leg_mm") > 0) nominal.leg = from.number("leg_mm") * 1e-3;
+        return nominal;
+    }
+
+    void require(const ValidationCase& from) const {
+        const auto thickness = static_cast<double>(joint.thicknessMm) * 1e-3;
+        requireSpacings(from, "thickness_mm", thickness, 2);
+        const double across = static_cast<double>(joint.widthMm + joint.heightMm) * 1e-3 * thickness;
+        // The box around a joint is mostly empty, and its cells take room too.
+        requireWeldRoom(from, process, 2 * across * static_cast<double>(joint.lengthMm) * 1e-3, seconds());
+    }
+};
+
+/// Compares the means over the stations: a fillet's or a butt's.
+void compareMeans(const ValidationCase& from, const WeldMeasures& weld, ValidationResult& result) {
+    const WeldStation& mean = weld.mean;
+    const auto compare = [&](const char* name, const WeldStation::Value& value, double unit) {
+        if (value) result.compareMeasured(from, name, *value / unit);
+    };
+    const auto outside = [](const WeldStation::Value& inside) {
+        return inside ? WeldStation::Value(std::numbers::pi - *inside) : std::nullopt;
+    };
+    compare("leg_lying_mm", mean.leg1, 1e-3);
+    compare("leg_standing_mm", mean.leg2, 1e-3);
+    compare("throat_mm", mean.throat, 1e-3);
+    compare("height_mm", mean.height, 1e-3);
+    compare("toe_angle_lying_deg", outside(mean.edgeAngle1), kDegree);
+    compare("toe_angle_standing_deg", outside(mean.edgeAngle2), kDegree);
+    compare("overlap_lying_mm", mean.overlap1, 1e-3);
+    compare("overlap_standing_mm", mean.overlap2, 1e-3);
+    compare("undercut_lying_mm", mean.undercut1, 1e-3);
+    compare("undercut_standing_mm", mean.undercut2, 1e-3);
+    compare("root_fused_percent", mean.rootFused, 1e-2);
+    compare("root_fusion_mm", mean.rootFusion, 1e-3);
+    compare("root_missing_mm", mean.rootMissing, 1e-3);
+    compare("excess_penetration_mm", mean.excessPenetration, 1e-3);
+    compare("hole_mm", mean.hole, 1e-3);
+    compare("penetration_mm", mean.penetration, 1e-3);
+}
+
+/// Means over the middle of the weld: where the arc's heat lands and how warm the plates are before the liquid's edge.
+class HeatWatch {
+  public:
+    HeatWatch(const ChartWeld& chart, const CaseWeld& weld, double solidus)
+        : chart_(chart), weld_(weld), solidus_(solidus) {}
+
+    /// Looks ten times a second, while the torch passes the middle half of the weld.
+    void look(double time) {
+        constexpr double kPause = 0.1, kFrom = 0.3, kTo = 0.8;
+        const double way = (time - kStrikes) / (chart_.seconds() - kStrikes);
+        if (way < kFrom || way > kTo || time < next_) return;
+        next_ = time + kPause;
+        const auto sources = weld_.weld().process().sources();
+        const ArcState& arc = weld_.weld().arc();
+        if (sources.empty() || !(arc.power > 0)) return;
+        const ParticleValues metal = weld_.particles();
+        const MetalLattice& lattice = weld_.weld().metal().state().lattice();
+        const bool butt = chart_.joint.kind == static_cast<int>(WorkpieceKind::Butt);
+        const ArcLanding landing = arcLanding(lattice, metal, sources[0], solidus_, butt);
+        const double place = -chart_.half + way * 2 * chart_.half;
+        const LineWarmth line = lineWarmth(lattice, metal, place - kLayers, place, kBeforeLine);
+        const std::array<std::optional<double>, kCount> found{
+            100 * (1 - static_cast<double>(sources[0].power) / arc.power),
+            100 * landing.caught,
+            100 * landing.solid,
+            100 * landing.ahead,
+            100 * landing.lying,
+            100 * landing.standing,
+            butt ? std::nullopt : line.lying,
+            butt ? std::nullopt : line.standing};
+        for (size_t i = 0; i < kCount; ++i)
+            if (found[i]) {
+                sums_[i] += *found[i];
+                ++counts_[i];
+            }
+    }
+
+    void tell(ValidationResult& result) const {
+        constexpr std::array<const char*, kCount> kNames{"heat_by_drops_percent",      "arc_caught_percent",
+                                                         "arc_on_solid_percent",       "arc_on_solid_ahead_percent",
+                                                         "arc_on_solid_lying_percent", "arc_on_solid_standing_percent",
+                                                         "line_warmth_lying_k",        "line_warmth_standing_k"};
+        for (size_t i = 0; i < kCount; ++i)
+            if (counts_[i] > 0) result.tell(kNames[i], sums_[i] / static_cast<double>(counts_[i]));
+    }
+
+  private:
+    static constexpr size_t kCount = 8;
+    static constexpr double kLayers = 4e-3;       ///< m along the seam from the torch back
+    static constexpr double kBeforeLine = 0.4e-3; ///< m
+
+    const ChartWeld& chart_;
+    const CaseWeld& weld_;
+    double solidus_, next_ = 0;
+    std::array<double, kCount> sums_{};
+    std::array<int, kCount> counts_{};
+};
+
+} // namespace
+
+void runChartWeld(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result) {
+    const ChartWeld chart(from);
+    chart.require(from);
+    CaseWeld weld(from, shaders, chart.process, makeWorkpiece(chart.joint), chart.ambient, chart.seconds());
+    HeatWatch watch(chart, weld, from.material.solidus);
+    const double end = chart.seconds() + kFreezing;
+    weld.run(
+        chart.path(),
+        [&](double time) {
+            watch.look(time);
+            return time < end;
+        },
+        result);
+    weld.tellArc(from, result);
+    watch.tell(result);
+    StationSettings stations;
+    stations.seam = FaceStretch{-chart.half, chart.half};
+    result.weld = JudgedWeld{weld.measure(weldKindOf(chart.joint), stations), chart.nominal(from)};
+    compareMeans(from, result.weld->measures, result);
+    weld.requireArc(from);
+}
+
+} // namespace meltpool

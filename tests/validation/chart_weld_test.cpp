@@ -1,0 +1,83 @@
+// Welds at a chart's values: small and coarse, on each joint.
+#include "core/base/error.hpp"
+#include "core/base/text.hpp"
+#include "core/validation/validation.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+#include <algorithm>
+
+using namespace meltpool;
+
+namespace {
+
+/// Runs a weld of 6 mm plates of s235 with particles of 2 mm, at half of the chart's speed.
+ValidationResult weld(const std::string& joint, const std::string& more = "") {
+    const auto file = test::scratchFolder("chart-weld") / "case.toml";
+    writeTextFileAtomically(file, "name = \"weld\"\nkind = \"chart_" + joint +
+                                      "\"\nspacing_mm = 2\n[material]\nuse = \"s235\"\n[case]\nambient_k = 293\n"
+                                      "process = \"gmaw\"\nvoltage = 27\ncurrent_a = 250\nwire_diameter_mm = 1.2\n"
+                                      "speed_mm_s = 6\nthickness_mm = 6\nseam_mm = 16\n" +
+                                      more);
+    return runValidationCase(readValidationCase(file), test::shaders());
+}
+
+bool has(const ValidationResult& result, const std::string& name) {
+    return std::any_of(result.numbers.begin(), result.numbers.end(),
+                       [&](const ValidationNumber& n) { return n.name == name; });
+}
+
+double ours(const ValidationResult& result, const std::string& name) {
+    INFO(validationText(result));
+    const auto found = std::find_if(result.numbers.begin(), result.numbers.end(),
+                                    [&](const ValidationNumber& n) { return n.name == name; });
+    INFO(name);
+    REQUIRE(found != result.numbers.end());
+    return found->ours;
+}
+
+} // namespace
+
+TEST_CASE("A chart's fillet has its measures for a verdict, and says where its heat went", "[validation]") {
+    const ValidationResult result = weld("tee", "leg_mm = 5.5\n");
+    INFO(validationText(result));
+    REQUIRE(result.weld);
+    CHECK(result.weld->measures.kind == WeldKind::fillet);
+    CHECK(result.weld->measures.stations.size() >= 5);
+    CHECK(*result.weld->nominal.leg == Approx(5.5e-3));
+    CHECK(result.weld->nominal.thickness == Approx(6e-3));
+    CHECK(ours(result, "leg_lying_mm") == Approx(*result.weld->measures.mean.leg1 * 1e3));
+    CHECK(ours(result, "current_a") == Approx(250).epsilon(0.1));
+    CHECK(ours(result, "voltage_v") == Approx(27).epsilon(0.01));
+    const double drops = ours(result, "heat_by_drops_percent");
+    CHECK(drops > 20);
+    CHECK(drops < 60);
+    CHECK(ours(result, "arc_caught_percent") > 90);
+    const double solid = ours(result, "arc_on_solid_percent");
+    CHECK(solid > 1);
+    CHECK(solid < 99);
+    CHECK(ours(result, "arc_on_solid_lying_percent") + ours(result, "arc_on_solid_standing_percent") == Approx(solid));
+    CHECK(ours(result, "arc_on_solid_ahead_percent") < solid + 1e-9);
+    CHECK(ours(result, "line_warmth_lying_k") > 350);
+    CHECK(ours(result, "line_warmth_lying_k") < 2000);
+}
+
+TEST_CASE("A chart's voltage and speed change at the feed that the chart's own values need", "[validation]") {
+    const ValidationResult slow = weld("tee"), fast = weld("tee", "speed_factor = 2\n"),
+                           cold = weld("tee", "voltage_offset_v = -4\n");
+    CHECK(ours(fast, "current_a") == Approx(ours(slow, "current_a")).epsilon(0.05));
+    CHECK(ours(cold, "voltage_v") == Approx(ours(slow, "voltage_v") - 4).epsilon(0.01));
+    const auto section = [](const ValidationResult& of) { return *of.weld->measures.mean.deposited; };
+    CHECK(section(slow) == Approx(2 * section(fast)).epsilon(0.15));
+    CHECK(section(slow) == Approx(section(cold)).epsilon(0.1));
+}
+
+TEST_CASE("A chart's lap has legs on both plates, and its butt a root in the gap", "[validation]") {
+    const ValidationResult lap = weld("lap"), butt = weld("butt", "gap_mm = 2\nweave_mm = 2\n");
+    CHECK(lap.weld->measures.kind == WeldKind::fillet);
+    CHECK(ours(lap, "leg_standing_mm") > 0);
+    CHECK(butt.weld->measures.kind == WeldKind::butt);
+    CHECK(has(butt, "root_missing_mm"));
+    CHECK_FALSE(has(butt, "leg_lying_mm"));
+    CHECK_FALSE(has(butt, "line_warmth_lying_k"));
+}
