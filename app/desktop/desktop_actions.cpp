@@ -91,7 +91,7 @@ void DesktopApp::perform(const DesktopAction& action, Seat seat) {
     // A redone weld goes on; every other end of an attempt keeps its score.
     if (endsAttempt(action.request) && action.request != MenuRequest::redo && finishJudging() &&
         action.request == MenuRequest::reset)
-        return messages_.note(phrase("desk.message.judged_first"), clock_.now());
+        return messages_.note(phrase("desk.message.judged_first"), clock_.now(), "attempt");
     action.run(*this);
 }
 
@@ -137,6 +137,7 @@ void DesktopApp::weldBeside() {
 }
 
 void DesktopApp::reset() {
+    messages_.clear("attempt");
     if (session_.activities().at(session_.activities().replay))
         start(&LessonSession::begin);
     else
@@ -149,7 +150,7 @@ void DesktopApp::redo() {
     const int attempt = session_.log().records().attempt();
     session_.redo(controls_);
     if (session_.log().records().attempt() != attempt)
-        messages_.note(phrase("desk.message.redone_apart"), clock_.now());
+        messages_.note(phrase("desk.message.redone_apart"), clock_.now(), "attempt");
 }
 
 void DesktopApp::leave() {

@@ -20,7 +20,7 @@ void DesktopLessons::leave() {
     session_.end("start menu");
     controls_.restart();
     for (const std::string_view topic :
-         std::array<std::string_view, 6>{"metal", "arc", "ghost", kSlowTopic, "record", "pause"})
+         std::array<std::string_view, 7>{"metal", "arc", "ghost", kSlowTopic, "record", "pause", "attempt"})
         messages_.clear(topic);
 }
 
