@@ -35,16 +35,16 @@ TensionSlopes slopesOf(const Material& material) {
     return slopes;
 }
 
-FlowFluid fluidOf(const PhysicalSetup& setup) {
+FlowFluid fluidOf(const PhysicalSetup& setup, const EdgeArrest& edge) {
     const Material& material = setup.material;
     FlowFluid fluid;
     fluid.spacing = static_cast<double>(setup.lattice.spacing);
     fluid.density = massDensity(material);
-    fluid.coldBelow = setup.coldShare * material.solidus;
-    fluid.warmAbove = setup.warmShare * material.solidus;
+    fluid.coldBelow = edge.coldShare * material.solidus;
+    fluid.warmAbove = edge.warmShare * material.solidus;
     fluid.tension = material.tensionAt(material.liquidus);
     fluid.wetting = setup.wetting;
-    fluid.coldWetting = std::min(setup.wetting, wettingForAngle(setup.coldAngle, capillarySpacings(fluid)));
+    fluid.coldWetting = std::min(setup.wetting, wettingForAngle(edge.coldAngle, capillarySpacings(fluid)));
     if (setup.marangoni) fluid.tensionSlopes = slopesOf(material);
     fluid.viscosity = material.viscosity.at(material.liquidus);
     fluid.expansion = material.expansion.at(material.liquidus);
@@ -110,7 +110,8 @@ void PhysicalMetal::make() {
     state_->setGravity(setup_.gravity);
     state_->add(setup_.seeds);
     heat_ = std::make_unique<HeatSolver>(shaders_, *state_, setup_.material, setup_.heat);
-    flow_ = std::make_unique<Flow>(shaders_, *state_, fluidOf(setup_), setup_.space);
+    edge_ = setup_.edge;
+    flow_ = std::make_unique<Flow>(shaders_, *state_, fluidOf(setup_, edge_), setup_.space);
     fragments_ = std::make_unique<RigidFragments>(shaders_, *state_, setup_.fragments);
     capacity_ = state_->capacity();
 }
@@ -144,6 +145,7 @@ void PhysicalMetal::reset() {
     state_->add(setup_.seeds);
     heat_->reset();
     flow_->reset();
+    edge_ = setup_.edge;
     fragments_->reset();
     begin();
 }
@@ -175,6 +177,12 @@ void PhysicalMetal::xorOutDerivedState() {
     heat_->xorOutDerivedState(); // neither reads values that the other changes
     flow_->xorOutDerivedState();
     gl::memoryBarrier(kBarrier);
+}
+
+void PhysicalMetal::setEdgeArrest(const EdgeArrest& edge) {
+    if (edge == edge_) return;
+    edge_ = edge;
+    flow_->setWetting(fluidOf(setup_, edge_));
 }
 
 void PhysicalMetal::setLiquidConductivity(const Property& conductivity) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/gl/readback.hpp"
+#include "core/metal/flow/edge_arrest.hpp"
 #include "core/metal/flow/flow.hpp"
 #include "core/metal/heat/heat.hpp"
 #include "core/metal/rigid_fragments.hpp"
@@ -28,9 +29,7 @@ struct PhysicalSetup {
     glm::vec3 gravity{0, -9.81F, 0}; ///< m/s², in the workpiece frame
     float timeStep = 1.0F / 90;      ///< s, of one step(), at most; see PhysicalMetal::timeStep()
     double wetting = 1;              ///< wetting of still metal by liquid metal, see FlowFluid
-    double coldAngle = 0;            ///< rad, contact angle on cold metal, see wettingForAngle(); 0: that of warm metal
-    double coldShare = 0;            ///< share of the solidus in K up to which metal is cold
-    double warmShare = 1;            ///< share from which it is warm
+    EdgeArrest edge;                 ///< until setEdgeArrest()
 };
 
 class PhysicalMetal {
@@ -62,6 +61,9 @@ class PhysicalMetal {
     void setStirringLess(glm::vec3 shares) { heat_->setStirringLess(shares); }
     /// Sets the arc's pressure from the next step on; none with a peak of 0.
     void setArc(const ArcPressure& arc) { flow_->setArc(arc); }
+
+    /// Sets the arrest of the liquid's edge from the next step on, until a reset.
+    void setEdgeArrest(const EdgeArrest& edge);
 
     /// Length of one step(), s. Shorter than the setup's if that saves a heat substep: one that is only a little too
     /// short would make two necessary.
@@ -107,6 +109,7 @@ class PhysicalMetal {
     gl::ShaderLibrary& shaders_;
     PhysicalSetup setup_;
     float timeStep_;
+    EdgeArrest edge_; ///< the flow's
     HeatTable table_;
     const gl::Program& count_;
     gl::Buffer parts_;

@@ -35,7 +35,7 @@ std::vector<MetalSeed> plate() {
 /// A plate, and a wall on it behind z = 0.
 std::vector<MetalSeed> corner() {
     auto seeds = plate();
-    const auto wall = latticeSeeds(kLattice, {-12e-3F, 0, -4e-3F}, {12e-3F, 10e-3F, 0}, 300);
+    const auto wall = latticeSeeds(kLattice, {-12e-3F, 0, -12e-3F}, {12e-3F, 12e-3F, 0}, 300);
     seeds.insert(seeds.end(), wall.begin(), wall.end());
     return seeds;
 }

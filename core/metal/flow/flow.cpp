@@ -30,6 +30,14 @@ size_t cellCount(const FlowBlock& block) {
     return static_cast<size_t>(block.cells.x) * static_cast<size_t>(block.cells.y) * static_cast<size_t>(block.cells.z);
 }
 
+/// Writes the wetting of wall metal.
+void setWettingOf(FlowBlock& block, const FlowFluid& fluid) {
+    block.hotWetting = static_cast<float>(fluid.wetting);
+    block.coldWetting = static_cast<float>(fluid.coldWetting);
+    block.coldBelow = static_cast<float>(fluid.coldBelow);
+    block.inverseWettingRange = static_cast<float>(1 / std::max(fluid.warmAbove - fluid.coldBelow, 1.0));
+}
+
 /// Writes the constants that follow from the liquid's properties.
 void setLiquid(FlowBlock& block, const FlowConstants& constants, const FlowFluid& fluid) {
     block.kernelSelf = static_cast<float>(constants.kernelSelf);
@@ -46,10 +54,7 @@ void setLiquid(FlowBlock& block, const FlowConstants& constants, const FlowFluid
         block.tensionSlopes[i / 4][i % 4] = static_cast<float>(slopes.values[static_cast<size_t>(i)] / fluid.density);
     block.wallFriction = static_cast<float>(constants.wallFriction);
     block.densityScale = static_cast<float>(constants.scale);
-    block.hotWetting = static_cast<float>(fluid.wetting);
-    block.coldWetting = static_cast<float>(fluid.coldWetting);
-    block.coldBelow = static_cast<float>(fluid.coldBelow);
-    block.inverseWettingRange = static_cast<float>(1 / std::max(fluid.warmAbove - fluid.coldBelow, 1.0));
+    setWettingOf(block, fluid);
     block.expansion = static_cast<float>(fluid.expansion);
     block.referenceTemperature = static_cast<float>(fluid.referenceTemperature);
 }
@@ -221,6 +226,11 @@ void Flow::setArc(const ArcPressure& arc) {
     block_.arcPeak = static_cast<float>(static_cast<double>(arc.peak) / restDensity_);
     block_.arcShear = static_cast<float>(static_cast<double>(arc.shear) / restDensity_);
     block_.inverseArcSigma = 1 / arc.sigma;
+    blockChanged_ = true;
+}
+
+void Flow::setWetting(const FlowFluid& fluid) {
+    setWettingOf(block_, fluid);
     blockChanged_ = true;
 }
 

@@ -51,6 +51,8 @@ class Flow {
     void setAcceleration(glm::vec3 acceleration); ///< body force over density besides gravity, m/s²
 
     void setArc(const ArcPressure& arc);
+    /// Takes over the liquid's wetting of cold and warm wall metal from the next step on.
+    void setWetting(const FlowFluid& fluid);
 
     const FlowConstants& constants() const { return constants_; }
     FlowFaults readFaults() const; ///< waits for the GPU

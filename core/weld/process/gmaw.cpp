@@ -143,6 +143,24 @@ double Gmaw::stirring() const {
     return arcStirring(fed.melting.current(fed.speed, static_cast<double>(settings_.stickOutMm * kMm)));
 }
 
+/// Returns the share of short circuits that are left, 0 to 1: none with a long arc and in spray.
+double Gmaw::dipping() const {
+    const double length = wire_.length() / kDipArc;
+    return std::exp(-length * length) *
+           (1 - sprayShare(wire_.current(), static_cast<double>(settings_.wireDiameterMm)));
+}
+
+double Gmaw::dropTemperature() const {
+    return std::lerp(kDropTemperature, kDipDropTemperature, dipping());
+}
+
+EdgeArrest Gmaw::edgeArrest() const {
+    const EdgeArrest cold = Process::edgeArrest();
+    const double ordinary = std::clamp((wire_.arcTime() - kColdDip) / (kOrdinaryDip - kColdDip), 0.0, 1.0) * dipping();
+    return {std::lerp(cold.coldAngle, kDipAngle * std::numbers::pi / 180, ordinary),
+            std::lerp(cold.coldShare, kDipColdShare, ordinary), std::lerp(cold.warmShare, kDipWarmShare, ordinary)};
+}
+
 double Gmaw::wireArea() const {
     const auto diameter = static_cast<double>(settings_.wireDiameterMm * kMm);
     return std::numbers::pi / 4 * diameter * diameter;

@@ -42,14 +42,17 @@ class Gmaw : public Process {
     WireAccount wire() const override;
     float touchRadius() const override { return settings_.wireDiameterMm * 0.5e-3F; }
     double stirring() const override;
+    EdgeArrest edgeArrest() const override;
     void reset() override;
     void transfer(gl::StateArchive& archive) override;
 
   protected:
+    double dropTemperature() const override;
     void advance(const TorchSample& torch, const MetalAhead& ahead, double seconds) override;
 
   private:
     WireFeed feed() const;
+    double dipping() const;
     double wireArea() const;
     void takeOver();
     void transferHeat(const TorchSample& torch, double seconds);

@@ -5,6 +5,7 @@
 #include "core/weld/process/weld_constants.hpp"
 
 #include <algorithm>
+#include <numbers>
 
 namespace meltpool {
 
@@ -52,6 +53,14 @@ ArcPressure Process::pressure() const {
             static_cast<float>(kJetDrag) * arc_.pressure};
 }
 
+double Process::dropTemperature() const {
+    return kDropTemperature;
+}
+
+EdgeArrest Process::edgeArrest() const {
+    return {kColdAngle * std::numbers::pi / 180, kColdShare, kWarmShare};
+}
+
 void Process::heatSurface(const TorchRay& ray, double power) {
     const float shadow = 2 * arc_.radius + kPoolDepth * metal_.spacing;
     source_ = HeatSource::gaussian(ray.origin + ray.axis * arc_.distance, ray.axis, arc_.radius,
@@ -70,7 +79,7 @@ double Process::meltWire(double volume, double seconds, const glm::vec3& place, 
     const double cold = metal_.table.enthalpyAt(metal_.ambient);
     const double rate = volume * metal_.density / seconds; // kg/s
     if (!(rate > 0)) return 0;
-    const double wanted = metal_.table.enthalpyAt(std::min(kDropTemperature, metal_.boilingPoint)) - cold;
+    const double wanted = metal_.table.enthalpyAt(std::min(dropTemperature(), metal_.boilingPoint)) - cold;
     const double gained = std::clamp(available / rate, 0.0, std::max(wanted, 0.0));
     drops_ = filler_.feed(volume, place, velocity, static_cast<float>(metal_.table.temperatureAt(cold + gained)));
     return rate * gained;

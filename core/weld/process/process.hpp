@@ -4,6 +4,7 @@
 
 #include "core/base/parameter.hpp"
 #include "core/metal/flow/arc_pressure.hpp"
+#include "core/metal/flow/edge_arrest.hpp"
 #include "core/metal/heat/heat_source.hpp"
 #include "core/weld/process/arc.hpp"
 #include "core/weld/process/filler.hpp"
@@ -73,6 +74,8 @@ class Process {
     std::span<const MetalSeed> drops() const { return drops_; }
     ArcPressure pressure() const;
     const ArcState& arc() const { return arc_; }
+    /// Returns the arrest of the pool's edge under the arc of the last step.
+    virtual EdgeArrest edgeArrest() const;
     virtual WireAccount wire() const { return {}; }
     /// Returns true if the process melts a filler rod in the other hand; see holdsRod().
     virtual bool takesRod() const { return false; }
@@ -100,6 +103,7 @@ class Process {
     virtual void transfer(gl::StateArchive& archive);
 
   protected:
+    virtual double dropTemperature() const; ///< K, of drops that leave the wire or electrode
     /// Sets arc_ and, if there is heat, source_ and drops_.
     virtual void advance(const TorchSample& torch, const MetalAhead& ahead, double seconds) = 0;
 

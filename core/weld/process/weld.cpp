@@ -63,9 +63,6 @@ PhysicalSetup setupOf(const Material& material, const ProcessSettings& settings,
     setup.fillerRoom = around.fillerRoom;
     setup.space.low = workpiece.low;
     setup.space.high = workpiece.high;
-    setup.coldAngle = kColdAngle * std::numbers::pi / 180;
-    setup.coldShare = kColdShare;
-    setup.warmShare = kWarmShare;
     setup.marangoni = true;
     setup.gravity = glm::transpose(workpiece.turn) * glm::vec3(0, -kGravity, 0);
     setup.fragments.floorNormal = workpiece.up;
@@ -136,6 +133,7 @@ void Weld::step(const TorchSample& torch, gl::Profiler* profiler) {
     process_->step(torch, metalAhead(*probe_, process_->ray(torch)), timeStep(),
                    rod ? metalAhead(*rodProbe_, *rod) : MetalAhead{});
     metal_.setArc(process_->pressure());
+    metal_.setEdgeArrest(process_->edgeArrest());
     leadStirring(process_->ray(torch).axis);
     metal_.step(process_->sources(), process_->drops(), profiler);
     lookAhead(torch, profiler);

@@ -76,6 +76,10 @@ double longestWireArc(const WireFeed& feed) {
     return std::max(feed.voltage - fallVoltage(feed) - kWireResistance * kLeastArcCurrent, 0.0) / kArcField;
 }
 
+double WireArc::arcTime() const {
+    return lit_ ? std::clamp((voltage_ - kWireResistance * current_) / kArcFallVoltage, 0.0, 1.0) : 0;
+}
+
 void WireArc::release() {
     lit_ = false;
     action_ = ArcAction::out;

@@ -55,6 +55,7 @@ class WireArc {
     double fed() const { return fed_; }             ///< m of wire that came through the contact tip in the last step
     double melted() const { return melted_; }       ///< m of wire that melted in the last step
     double stretch() const { return stretch_; }     ///< 0..1, see ArcState
+    double arcTime() const;                         ///< 0..1, share of the time that the arc burns, by the mean voltage
 
   private:
     void feedInAir(const WireFeed& feed, double distance, double seconds);

@@ -84,6 +84,59 @@ TEST_CASE("a setting that a process had once is named with its successor") {
     CHECK(successorOf(settings, "nonsense").empty());
 }
 
+namespace {
+
+/// Returns a GMAW arc over metal 15 mm from the contact tip that has found its length, with its last drops' heat.
+std::unique_ptr<Process> settledGmaw(float voltage, float feedMPerMin) {
+    ProcessSettings settings;
+    GmawSettings& gmaw = settings.choose<Gmaw>();
+    gmaw.voltage = voltage;
+    gmaw.wireFeedMPerMin = feedMPerMin;
+    gmaw.wireDiameterMm = 1.2F;
+    gmaw.stickOutMm = 14;
+    auto process = made(settings);
+    for (int i = 0; i < 300; ++i)
+        process->step(pulled(), metalAt(15), kStep);
+    return process;
+}
+
+/// Returns the temperature of the next drop of such an arc, K.
+double nextDrop(Process& process) {
+    for (int i = 0; i < 100; ++i) {
+        process.step(pulled(), metalAt(15), kStep);
+        if (!process.drops().empty()) return static_cast<double>(process.drops()[0].temperature);
+    }
+    return 0;
+}
+
+} // namespace
+
+TEST_CASE(
+    "in ordinary dip transfer the pool's edge runs on over colder metal, and not with a cold, long or spraying arc") {
+    const EdgeArrest cold = settledGmaw(15, 3.6F)->edgeArrest();
+    CHECK(cold.coldAngle == Approx(kColdAngle * 3.14159265 / 180));
+    CHECK(cold.coldShare == kColdShare);
+    CHECK(cold.warmShare == kWarmShare);
+    const EdgeArrest dips = settledGmaw(19, 3.6F)->edgeArrest();
+    CHECK(dips.coldShare == Approx(kDipColdShare).margin(0.01));
+    CHECK(dips.warmShare == Approx(kDipWarmShare).margin(0.01));
+    CHECK(dips.coldAngle == Approx(kDipAngle * 3.14159265 / 180).margin(0.02));
+    const EdgeArrest between = settledGmaw(17.4F, 3.6F)->edgeArrest();
+    CHECK(between.coldShare < kColdShare - 0.01);
+    CHECK(between.coldShare > kDipColdShare + 0.01);
+    for (const auto& [voltage, feed] : {std::pair(26.0F, 3.6F), {28.0F, 11.0F}}) {
+        const EdgeArrest arc = settledGmaw(voltage, feed)->edgeArrest();
+        CHECK(arc.coldShare == Approx(kColdShare).margin(0.001));
+        CHECK(arc.warmShare == Approx(kWarmShare).margin(0.001));
+    }
+}
+
+TEST_CASE("the drops of a dipping wire are colder than those of an open arc") {
+    CHECK(nextDrop(*settledGmaw(18, 3.6F)) == Approx(kDipDropTemperature).epsilon(0.001));
+    CHECK(nextDrop(*settledGmaw(26, 3.6F)) == Approx(kDropTemperature).epsilon(0.001));
+    CHECK(nextDrop(*settledGmaw(28, 11)) == Approx(kDropTemperature).epsilon(0.001));
+}
+
 TEST_CASE("without the trigger no process gives heat, wire or pressure") {
     ProcessSettings settings;
     for (size_t kind = 0; kind < AllProcesses::kCount; ++kind) {

@@ -159,6 +159,16 @@ TEST_CASE("too little voltage stubs") {
     CHECK(wire.extension() > 12 * kMm);
 }
 
+TEST_CASE("an open arc burns all of the time, a dipping one the share that its mean voltage leaves it") {
+    CHECK(settled(machine(24), 15 * kMm).arcTime() == 1);
+    const WireArc dips = settled(machine(16), 12 * kMm);
+    CHECK(dips.arcTime() == Approx((16 - kWireResistance * dips.current()) / kArcFallVoltage));
+    CHECK(dips.arcTime() < 0.9);
+    CHECK(settled(machine(14), 12 * kMm).arcTime() < dips.arcTime());
+    WireArc out(12 * kMm);
+    CHECK(out.arcTime() == 0);
+}
+
 TEST_CASE("a contact tip that lies on the metal or in it gives finite numbers") {
     const WireFeed feed = machine(20);
     for (const double distance : {0.0, -3e-3, 1e-6}) {
