@@ -81,7 +81,7 @@ Judged overlapAt(const WeldStation& s, const NominalWeld&, WeldKind) {
 
 /// Takes a leg whose toe has a place; nothing for metal that runs out too flat.
 Value placedLeg(const Value& leg, const Value& edgeAngle) {
-    return edgeAngle && std::tan(*edgeAngle) < kHeightError / kOneParticle ? std::nullopt : leg;
+    return edgeAngle && *edgeAngle < std::atan(kHeightError / kOneParticle) ? std::nullopt : leg;
 }
 
 /// Takes the difference of the legs with its sign, so that a mean does not add up scatter.
