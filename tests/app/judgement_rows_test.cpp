@@ -202,7 +202,7 @@ TEST_CASE("in inches score, verdict and measured weld have no millimetres", "[ap
     chooseUnits(UnitSystem::metric);
     CHECK(rows.scoreNote == "1.54 of 1.57 in of the seam are welded.");
     CHECK(find(rows.technique, "Travel speed").detail == "Mean 24.3 in/min, target 19 in/min \xC2\xB1 1.9 in/min");
-    CHECK(rows.judged.rows[0].detail == "0.051 in \xC2\xB1 0.02 in; none is allowed, at -0.31 in");
+    CHECK(rows.judged.rows[0].detail == "0.051 in \xC2\xB1 0.020 in; none is allowed, at -0.31 in");
     CHECK(find(rows.measured, "Throat").value == "0.169 in");
     CHECK(find(rows.measured, "Throat").detail == "From 0.154 to 0.177 in");
     for (const auto* part : {&rows.technique, &rows.judged, &rows.measured})

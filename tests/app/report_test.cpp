@@ -223,6 +223,25 @@ TEST_CASE("the page names likely cause and remedy of what fails, and the command
                !containsText("Why it failed, and what to try"));
 }
 
+TEST_CASE("the page says how far a value may be off, what was not assessed, and that a weld is unfinished", "[app]") {
+    const std::string html = reportPage(readRunResults(
+        writtenRun("report-open", R"({"lesson": "tee", "finished": true, "verdict": {"standard": "ISO 5817",
+  "accepted": true, "not_assessed": 3, "complete": true, "items": [
+  {"name": "insufficient_throat", "unit": "mm", "value": 0.3, "uncertainty": 0.2, "mean_over_mm": 40,
+   "state": "not_resolved"},
+  {"name": "undercut", "unit": "mm", "value": 0.7, "uncertainty": 1, "state": "not_resolved", "at_mm": 2}]}})")));
+    CHECK(firstUnclosed(html) == "");
+    CHECK_THAT(html, containsText("Nothing rejectable found; 3 items not assessed."));
+    CHECK_THAT(html, containsText(", mean over "));
+    CHECK_THAT(html, containsText(" \xC2\xB1 "));
+    CHECK_THAT(html, !containsText("Unfinished"));
+    const std::string half = reportPage(readRunResults(
+        writtenRun("report-half", R"({"lesson": "tee", "finished": true, "verdict": {"standard": "ISO 5817",
+  "accepted": false, "not_assessed": 3, "complete": false, "judged_mm": 20, "asked_mm": 40, "items": []}})")));
+    CHECK_THAT(half, containsText("Unfinished: "));
+    CHECK_THAT(half, !containsText("Nothing rejectable"));
+}
+
 TEST_CASE("words from files cannot become markup", "[app]") {
     const std::string html = reportPage(readRunResults(
         writtenRun("report-hostile",

@@ -18,6 +18,17 @@ using Judged = std::optional<ImperfectionValue>;
 
 constexpr double kUprightToe = 90; ///< degrees
 
+/// A station alone resolves a length no finer than one particle: its outline is a mean over five layers of metal in
+/// disorder, and an extreme of many stations is their worst.
+constexpr double kOneParticle = 1;
+
+/// Errors of the gauge on known shapes, in spacings (tests/weld/gauge/weld_shape_test.cpp). Lengths that no known shape
+/// was measured for have kResolvedSpacings.
+constexpr double kThroatError = 0.15;
+constexpr double kHeightError = 0.15; ///< moves the toe of an edge angle under 8.5 degrees by more than a particle
+constexpr double kLegError = 0.2;
+constexpr double kLegDifferenceError = 0.3; ///< of two legs
+
 Judged inMm(const Value& metres, const Value& width = {}) {
     if (!metres) return std::nullopt;
     return ImperfectionValue{*metres * kMmPerMetre, width.value_or(0) * kMmPerMetre};
@@ -68,14 +79,16 @@ Judged overlapAt(const WeldStation& s, const NominalWeld&, WeldKind) {
     return found;
 }
 
-/// Takes a leg whose toe has a place: metal that runs out flatter than an angle is resolved ends anywhere.
+/// Takes a leg whose toe has a place; nothing for metal that runs out too flat.
 Value placedLeg(const Value& leg, const Value& edgeAngle) {
-    return edgeAngle && *edgeAngle * 180 / std::numbers::pi < kResolvedAngle ? std::nullopt : leg;
+    return edgeAngle && *edgeAngle < std::atan(kHeightError / kOneParticle) ? std::nullopt : leg;
 }
 
+/// Takes the difference of the legs with its sign, so that a mean does not add up scatter.
+template <bool other>
 Judged excessiveAsymmetry(const WeldStation& s, const NominalWeld&, WeldKind) {
     const Value leg1 = placedLeg(s.leg1, s.edgeAngle1), leg2 = placedLeg(s.leg2, s.edgeAngle2);
-    return leg1 && leg2 ? inMm(std::abs(*leg1 - *leg2)) : std::nullopt;
+    return leg1 && leg2 ? inMm(other ? *leg2 - *leg1 : *leg1 - *leg2) : std::nullopt;
 }
 
 Judged insufficientThroat(const WeldStation& s, const NominalWeld& nominal, WeldKind kind) {
@@ -109,17 +122,6 @@ Judged legTooSmall(const WeldStation& s, const NominalWeld& nominal, WeldKind) {
     const Value leg = placedLeg(s.*measuredLeg, s.*edgeAngle);
     return leg && asked ? inMm(*asked - *leg) : std::nullopt;
 }
-
-/// A station alone resolves a length no finer than one particle: its outline is a mean over five layers of metal in
-/// disorder, and an extreme of many stations is their worst.
-constexpr double kOneParticle = 1;
-
-/// Errors of the gauge on known shapes, in spacings (tests/weld/gauge/weld_shape_test.cpp). Lengths that no known shape
-/// was measured for have kResolvedSpacings.
-constexpr double kThroatError = 0.15;
-constexpr double kHeightError = 0.15;
-constexpr double kLegError = 0.2;
-constexpr double kLegDifferenceError = 0.3; ///< of two legs
 
 /// Rows whose words are among those of imperfections, not of figures.
 template <size_t count>
@@ -189,7 +191,8 @@ constexpr std::array kImperfections = withTheirWords(std::array{
                .resolution = kOneParticle,
                .gaugeError = kLegDifferenceError,
                .standard = {"512", "excessive asymmetry of fillet weld"},
-               .judged = excessiveAsymmetry},
+               .judged = excessiveAsymmetry<false>,
+               .judgedOther = excessiveAsymmetry<true>},
     WeldFigure{.key = "incompletely_filled_groove",
                .formerKey = "not_filled_up",
                .unit = "mm",

@@ -31,8 +31,13 @@ WeldStation fillet() {
     return station;
 }
 
-std::optional<ImperfectionValue> judged(std::string_view key, const NominalWeld& nominal = {}) {
-    return findImperfection(key)->judged(fillet(), nominal, WeldKind::fillet);
+std::optional<ImperfectionValue> judged(std::string_view key, const NominalWeld& nominal = {},
+                                        const WeldStation& station = fillet()) {
+    return findImperfection(key)->judged(station, nominal, WeldKind::fillet);
+}
+
+std::optional<ImperfectionValue> judgedOther(std::string_view key, const WeldStation& station = fillet()) {
+    return findImperfection(key)->judgedOther(station, {}, WeldKind::fillet);
 }
 
 } // namespace
@@ -86,12 +91,14 @@ TEST_CASE("every imperfection has one row with a name", "[figures]") {
     CHECK(findImperfection("") == nullptr);
 }
 
-TEST_CASE("an imperfection is the worse side in millimetres, with the width of its limit", "[figures]") {
-    CHECK(judged("overlap")->value == Approx(0.8));
-    CHECK(judged("undercut")->value == Approx(0.3)); // the other side has no undercut
+TEST_CASE("an imperfection is in millimetres on each side, with the width of its limit", "[figures]") {
+    CHECK(judged("undercut")->value == Approx(0.3));
+    CHECK_FALSE(judgedOther("undercut"));
     CHECK(judged("undercut")->width == Approx(7));
     CHECK(judged("toe_angle")->value == Approx(180 - 2 * 57.29578));
+    CHECK(judgedOther("toe_angle")->value == Approx(180 - 57.29578));
     CHECK(judged("excessive_asymmetry")->value == Approx(1.5));
+    CHECK(judgedOther("excessive_asymmetry")->value == Approx(-1.5));
     CHECK_FALSE(judged("burn_through"));
     CHECK_FALSE(judged("insufficient_throat")); // no nominal throat
     NominalWeld nominal;
@@ -101,10 +108,42 @@ TEST_CASE("an imperfection is the worse side in millimetres, with the width of i
     CHECK(judged("excessive_throat", nominal)->value == Approx(-0.5));
     CHECK(judged("linear_misalignment", nominal)->value == Approx(0.5));
     CHECK(findImperfection("crack")->judged == nullptr);
+    nominal.leg = 5e-3; // leg 1 is 6 mm
+    CHECK(judged("leg_too_small", nominal)->value == Approx(-1));
+    // A toe that runs out at 8 degrees has no certain place: 0.15 particles of height move it by more than one.
+    WeldStation flat = fillet();
+    flat.edgeAngle1 = 8 / 57.29578;
+    CHECK_FALSE(judged("leg_too_small", nominal, flat));
+    CHECK_FALSE(judged("excessive_asymmetry", nominal, flat));
+    CHECK_FALSE(judgedOther("excessive_asymmetry", flat));
+    flat.edgeAngle1 = 9 / 57.29578;
+    CHECK(judged("excessive_asymmetry", nominal, flat));
 }
 
-TEST_CASE("particles resolve half a spacing of a length, a whole one of an overlap, and 15 degrees", "[figures]") {
-    CHECK(resolvedOf(*findImperfection("undercut"), 1e-3) == Approx(0.5));
+TEST_CASE("an overlap counts under a toe that stands over the plate, and a flat toe rules it out", "[figures]") {
+    WeldStation station = fillet(); // side 1 overhangs by 2 rad, side 2 has a toe of 123 degrees
+    CHECK(judged("overlap")->value == Approx(-0.2));
+    CHECK_FALSE(judged("overlap")->ruledOut);
+    CHECK(judgedOther("overlap")->value == 0);
+    CHECK(judgedOther("overlap")->ruledOut);
+    station.edgeAngle2 = 1.4; // 100 degrees: too near to 90 to be sure
+    CHECK(judgedOther("overlap", station)->value == 0);
+    CHECK_FALSE(judgedOther("overlap", station)->ruledOut);
+    station.edgeAngle2 = 1.6;
+    CHECK(judgedOther("overlap", station)->value == Approx(0.8));
+    CHECK(judgedOther("overlap", station)->width == Approx(7));
+    station.edgeAngle2.reset();
+    CHECK(judgedOther("overlap", station)->value == Approx(0.8));
+}
+
+TEST_CASE("a station resolves a spacing of a length and 15 degrees, a mean the gauge's own error", "[figures]") {
+    CHECK(resolvedOf(*findImperfection("undercut"), 1e-3) == Approx(1));
+    CHECK(gaugeErrorOf(*findImperfection("undercut"), 1e-3) == Approx(0.5));
+    CHECK(gaugeErrorOf(*findImperfection("insufficient_throat"), 2e-3) == Approx(0.3));
+    CHECK(gaugeErrorOf(*findImperfection("leg_too_small"), 1e-3) == Approx(0.2));
+    CHECK(gaugeErrorOf(*findImperfection("toe_angle"), 1e-3) == 6);
+    CHECK(gaugeErrorOf(*findImperfection("burn_through"), 1e-3) == 0);
+    CHECK(resolvedOf(stationFigure(&WeldStation::throat), 1e-3) == Approx(0.5));
     CHECK(resolvedOf(*findImperfection("overlap"), 1e-3) == Approx(1));
     CHECK(resolvedOf(*findImperfection("toe_angle"), 1e-3) == 15);
     CHECK(resolvedOf(*findImperfection("burn_through"), 1e-3) == 0);
