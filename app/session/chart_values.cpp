@@ -78,6 +78,8 @@ void addFigure(ShownChartRow& shown, std::string_view name, const std::optional<
 ShownChartRow shownRow(const StartingValues& values) {
     const ChartRow& row = *values.row;
     ShownChartRow shown{values, capitalised(titleOf(row)), {}, {}, {}};
+    if (!row.transfer.empty())
+        shown.figures.push_back({phrase("chart.label.transfer"), phraseOf("chart.transfer", row.transfer)});
     addFigure(shown, "voltage", values.voltage, 1, 1, "V");
     addFigure(shown, "feed", values.feed, kMetresPerMinute, 1, "m/min");
     addFigure(shown, "current", values.current, 1, 0, "A");

@@ -249,9 +249,12 @@ std::vector<StartingValues> fittingStartingValues(std::span<const ChartRow> rows
     std::vector<StartingValues> found;
     for (const ChartRow& row : rows)
         if (fits(row)) found.push_back(startingValues(row, tools.wire, tools.gas, tools.heldBehind));
+    const double set = tools.wire > 0 ? WireMelting::steel(tools.wire).current(tools.wireSpeed, tools.heldBehind) : 0;
     const auto order = [&](const StartingValues& values) {
-        const double off = values.row->thickness ? std::abs(values.row->thickness->middle() - thickness) : thickness;
-        return std::tuple(!values.row->thickness, !values.row->read, values.gasVoltage != 0, off);
+        const ChartRow& row = *values.row;
+        const double off = row.thickness ? std::abs(row.thickness->middle() - thickness) : 0;
+        const bool otherCurrent = !row.thickness && set > 0 && row.current && !row.current->holds(set);
+        return std::tuple(!row.thickness, !row.read, otherCurrent, values.gasVoltage != 0, off);
     };
     std::stable_sort(found.begin(), found.end(), [&](const auto& a, const auto& b) { return order(a) < order(b); });
     return found;

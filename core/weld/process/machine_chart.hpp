@@ -76,7 +76,8 @@ struct StartingValues {
 StartingValues startingValues(const ChartRow& row, double diameter, const ShieldingGas* gas, double tipDistance);
 
 /// Returns the settings of all rows that fit these plates, this process and its wire and gas, the best row first: with
-/// a thickness, then read in a source, then of this gas, then of the nearest thickness. Plates may differ from a row's
+/// a thickness, then read in a source, then (without a thickness) with the current of the set feed in its range, then
+/// of this gas, then of the nearest thickness. Plates may differ from a row's
 /// by kChartSlack, wires by kWireSlack. A row for carbon dioxide serves for a mix of argon and carbon dioxide and the
 /// other way round, but not in spray.
 std::vector<StartingValues> fittingStartingValues(std::span<const ChartRow> rows, const WorkpieceParameters& plates,

@@ -44,6 +44,7 @@ TEST_CASE("the panel shows the middle and the range of a maker's row for the les
     const ShownChartRow& row = tee.chart().shown();
     CHECK(row.title == "Tee, 3.2 mm");
     CHECK(figure(row, "Voltage") == "20.3 V (19.5 to 21)");
+    CHECK(figure(row, "Transfer") == "dip (short arc)");
     CHECK(figure(row, "Current") == "135 A (130 to 140)");
     CHECK(figure(row, "Travel speed") == "9.2 mm/s (8.3 to 10)");
     CHECK(figure(row, "Tip to work") == "10 mm");

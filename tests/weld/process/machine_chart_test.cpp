@@ -36,7 +36,7 @@ const ChartRow& shippedRow(std::string_view id) {
 }
 
 /// Returns the ids of the shipped rows that fit, best first.
-std::vector<std::string> fitting(WorkpieceKind kind, float thickness, float wire, GasKind gas) {
+std::vector<std::string> fitting(WorkpieceKind kind, float thickness, float wire, GasKind gas, float feed = 5.8F) {
     WorkpieceParameters plates;
     plates.kind = static_cast<int>(kind);
     plates.thicknessMm = thickness;
@@ -44,6 +44,7 @@ std::vector<std::string> fitting(WorkpieceKind kind, float thickness, float wire
     auto& gmaw = process.choose<Gmaw>();
     gmaw.wireDiameterMm = wire;
     gmaw.gas = static_cast<int>(gas);
+    gmaw.wireFeedMPerMin = feed;
     std::vector<std::string> ids;
     for (const StartingValues& values : fittingStartingValues(shipped(), plates, process))
         ids.push_back(values.row->id);
@@ -156,6 +157,9 @@ TEST_CASE("rows fit by joint, position, thickness, wire and gas, the best first"
     CHECK(fitting(Butt, 3, 1, GasKind::arCo2).front() == "OTC-BM5");
     CHECK(fitting(Corner, 3, 1, GasKind::arCo2) == std::vector<std::string>{"MEM-corner"});
     CHECK(fitting(Plate, 6, 1.2F, GasKind::arCo2) == std::vector<std::string>{"MIL-P1.14", "MIL-S1.14"});
+    // A range of the wire for the transfer that is set comes first: 180 A dip, 290 A spray.
+    CHECK(fitting(Plate, 6, 1.2F, GasKind::arCo2, 4.5F) == std::vector<std::string>{"MIL-S1.14", "MIL-P1.14"});
+    CHECK(fitting(Plate, 6, 1.2F, GasKind::arCo2, 9) == std::vector<std::string>{"MIL-P1.14", "MIL-S1.14"});
     CHECK(fitting(Tee, 3, 1.2F, GasKind::ar).empty()); // no chart has argon for steel
     CHECK(fitting(Butt, 40, 1, GasKind::arCo2).empty());
 }
