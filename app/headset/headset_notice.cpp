@@ -18,6 +18,7 @@ constexpr size_t kLongestLine = 240; // bytes; the window shows longer messages 
 constexpr float kLooksThere = 0.85f; // cosine: within 32 degrees of the head's direction
 constexpr float kNearest = 0.1f;     // m, least distance for which the size is right
 constexpr float kPanelHalf = 0.37f;  // m from the panel's middle to its lower edge
+constexpr float kPanelSide = 0.30f;  // m from its middle to its sides
 constexpr float kAhead = 0.6f;       // m before the eyes, if the torch is out of sight
 constexpr float kAboveBoard = 0.02f; // share of the eyes' distance: from the cues' board to the notice's lower edge
 constexpr double kFollowing = 0.15;  // s
@@ -29,6 +30,14 @@ float widthAt(float distance) {
 float heightOf(float width) {
     constexpr xr::PanelShape kShape = HeadsetNotice::kShape;
     return width * static_cast<float>(kShape.heightPixels) / static_cast<float>(kShape.widthPixels);
+}
+
+/// Returns the place along the panel's width (m from its middle) that the head is turned to, or its nearer edge.
+float turnedTo(const xr::Pose& head, const xr::Pose& panel) {
+    const xr::Pose inPanel = panel.inverse() * head;
+    const glm::vec3 way = inPanel.forward();
+    const float ahead = way.z < -1e-3f ? -inPanel.position.z / way.z : 0;
+    return std::clamp(inPanel.position.x + way.x * ahead, -kPanelSide, kPanelSide);
 }
 
 bool looksAt(const xr::Pose& head, const glm::vec3& place) {
@@ -96,7 +105,7 @@ void NoticePlace::update(bool atTorch, const xr::Pose& head, const std::optional
     }
     if (panel && looksAt(head, panel->position)) {
         width_ = widthAt(glm::distance(head.position, panel->position));
-        position_ = *panel * glm::vec3(0, -kPanelHalf - heightOf(width_) / 2, 0);
+        position_ = *panel * glm::vec3(turnedTo(head, *panel), -kPanelHalf - heightOf(width_) / 2, 0);
         pose_ = {panel->orientation, position_};
         known_ = true;
         return;

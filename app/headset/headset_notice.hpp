@@ -46,7 +46,8 @@ class NoticePlace {
     static constexpr float kAngle = 0.52f; ///< rad, its width in the view
 
     /// `atTorch`: the notice has a warning or a caption. `tip`: end of the torch, empty while none is seen. `panel`:
-    /// the open panel, below which the notice hangs while the person looks there; empty: closed.
+    /// the open panel, below which the notice hangs while the person looks there, at the side to which they look;
+    /// empty: closed.
     void update(bool atTorch, const xr::Pose& head, const std::optional<glm::vec3>& tip, float tableHeight,
                 double elapsed, const std::optional<xr::Pose>& panel = {});
     const xr::Pose& pose() const { return pose_; }

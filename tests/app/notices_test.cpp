@@ -199,6 +199,25 @@ TEST_CASE("the notice hangs below the panel that the person looks at, and tells 
     CHECK(notice.text() == "one\n");
 }
 
+TEST_CASE("below the panel aside the whole notice is in the view of a person who looks ahead", "[app]") {
+    HeadsetParameters parameters;
+    PanelPointer panel(parameters);
+    const xr::Pose head{{1, 0, 0, 0}, {0, parameters.tableHeight + Workshop::kDrop, Workshop::kReach}};
+    for (const xr::Hand hand : {xr::Hand::right, xr::Hand::left}) {
+        panel.move(true, head.position, hand, 10); // closed, so at once
+        NoticePlace place;
+        place.update(true, head, std::nullopt, parameters.tableHeight, 0.01, panel.pose());
+        const xr::Pose inPanel = panel.pose().inverse() * place.pose();
+        CHECK(inPanel.position.y < -0.37f); // below the panel
+        for (const float side : {-0.5f, 0.5f}) {
+            const glm::vec3 edge = place.pose() * glm::vec3(side * place.width(), 0, 0) - head.position;
+            const float angle = glm::degrees(std::atan2(edge.x, -edge.z));
+            INFO((hand == xr::Hand::right ? "right" : "left") << ", edge at " << angle << " degrees");
+            CHECK(std::abs(angle) < 40);
+        }
+    }
+}
+
 TEST_CASE("the panel in front has letters of a degree from the welder's place", "[app]") {
     constexpr float kFontPoints = 18, kCapitals = 0.71f;
     const xr::PanelShape shape;
