@@ -32,8 +32,7 @@ double meltingSpeed(const WireFeed& feed, double current, double voltage, double
 
 /// Returns the length (m) of the open arc in which a wire of this extension melts as fast as it is fed; 0 if it shorts.
 double balancedLength(const WireFeed& feed, double extension) {
-    const double current = feed.melting.current(feed.speed, extension);
-    return std::max(feed.voltage - kArcFallVoltage - kWireResistance * current, 0.0) / kArcField;
+    return openArcLength(feed, feed.melting.current(feed.speed, extension));
 }
 
 } // namespace
@@ -58,12 +57,16 @@ double openArcCurrent(const WireFeed& feed, double length) {
     return std::clamp(left / kWireResistance, 0.0, kShortCircuitCurrent);
 }
 
-double longestWireArc(const WireFeed& feed) {
-    return std::max(feed.voltage - kArcFallVoltage - kWireResistance * kLeastArcCurrent, 0.0) / kArcField;
+double openArcLength(const WireFeed& feed, double current) {
+    return std::max(feed.voltage - kArcFallVoltage - kWireResistance * current, 0.0) / kArcField;
 }
 
-double WireArc::arcTime() const {
-    return lit_ ? std::clamp((voltage_ - kWireResistance * current_) / kArcFallVoltage, 0.0, 1.0) : 0;
+double arcTime(const WireFeed& feed, double current) {
+    return std::clamp((feed.voltage - kWireResistance * current) / kArcFallVoltage, 0.0, 1.0);
+}
+
+double longestWireArc(const WireFeed& feed) {
+    return std::max(feed.voltage - kArcFallVoltage - kWireResistance * kLeastArcCurrent, 0.0) / kArcField;
 }
 
 void WireArc::release() {
