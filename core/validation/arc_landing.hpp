@@ -1,5 +1,5 @@
-// Landing of an arc's heat on a joint, and warmth of the plates before the liquid's edge. The landing is a twin on the CPU
-// of the pass that divides a source's power among the cells.
+// Landing of an arc's heat on a joint, and warmth of the plates before the liquid's edge. The landing is a twin on the
+// CPU of the pass that divides a source's power among the cells.
 #pragma once
 
 #include "core/metal/heat/heat_source.hpp"

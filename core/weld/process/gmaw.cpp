@@ -28,6 +28,8 @@ constexpr float kStraightWire = 0.06F;
 constexpr float kMostShorts = 120;
 /// m of arc over which the shorts become fewer; no source: chosen.
 constexpr float kShortingLength = 1e-3F;
+/// Times kDipArc beyond which no short circuit is left: exp(-6.25).
+constexpr double kLongestDip = 2.5;
 /// 1/s for an open arc that does not spray, see Equipment::spatter.
 constexpr double kOpenSpatter = 45;
 /// Drops finer than the wire leave the pool calm.
@@ -139,15 +141,22 @@ WireFeed Gmaw::feed() const {
 
 /// Returns the stirring at the current that melts the wire as fast as it is fed.
 double Gmaw::stirring() const {
-    const WireFeed fed = feed();
-    return arcStirring(fed.melting.current(fed.speed, static_cast<double>(settings_.stickOutMm * kMm)));
+    return arcStirring(settledCurrent());
 }
 
-/// Returns the share of short circuits that are left, 0 to 1: none with a long arc and in spray.
+/// Returns the current that melts the wire as fast as it is fed, at its stick-out.
+double Gmaw::settledCurrent() const {
+    const WireFeed fed = feed();
+    return fed.melting.current(fed.speed, static_cast<double>(settings_.stickOutMm * kMm));
+}
+
+/// Returns the share of short circuits that are left at the present settings, 0 to 1: none with a long arc and in
+/// spray.
 double Gmaw::dipping() const {
-    const double length = wire_.length() / kDipArc;
+    const double current = settledCurrent(), length = openArcLength(feed(), current) / kDipArc;
+    if (length > kLongestDip) return 0;
     return std::exp(-length * length) *
-           (1 - sprayShare(wire_.current(), static_cast<double>(settings_.wireDiameterMm)));
+           (1 - sprayShare(current, static_cast<double>(settings_.wireDiameterMm), gasOf(settings_)));
 }
 
 double Gmaw::dropTemperature() const {
@@ -156,7 +165,8 @@ double Gmaw::dropTemperature() const {
 
 EdgeArrest Gmaw::edgeArrest() const {
     const EdgeArrest cold = Process::edgeArrest();
-    const double ordinary = std::clamp((wire_.arcTime() - kColdDip) / (kOrdinaryDip - kColdDip), 0.0, 1.0) * dipping();
+    const double time = arcTime(feed(), settledCurrent());
+    const double ordinary = std::clamp((time - kColdDip) / (kOrdinaryDip - kColdDip), 0.0, 1.0) * dipping();
     return {std::lerp(cold.coldAngle, kDipAngle * std::numbers::pi / 180, ordinary),
             std::lerp(cold.coldShare, kDipColdShare, ordinary), std::lerp(cold.warmShare, kDipWarmShare, ordinary)};
 }

@@ -52,6 +52,7 @@ class Gmaw : public Process {
 
   private:
     WireFeed feed() const;
+    double settledCurrent() const;
     double dipping() const;
     double wireArea() const;
     void takeOver();

@@ -74,7 +74,7 @@ class Process {
     std::span<const MetalSeed> drops() const { return drops_; }
     ArcPressure pressure() const;
     const ArcState& arc() const { return arc_; }
-    /// Returns the arrest of the pool's edge under the arc of the last step.
+    /// Returns the arrest of the pool's edge at the present settings.
     virtual EdgeArrest edgeArrest() const;
     virtual WireAccount wire() const { return {}; }
     /// Returns true if the process melts a filler rod in the other hand; see holdsRod().

@@ -167,8 +167,9 @@ inline constexpr double kWarmShare = 0.85;
 
 /// Share of the arc's own voltage, on average, up to which dip transfer is cold. Above all logged beads that dip.
 inline constexpr double kColdDip = 0.8;
-/// Share from which it is ordinary: charts of dip transfer have 0.9 to 1.1 in the middle. No source: chosen.
-inline constexpr double kOrdinaryDip = 0.95;
+/// Share from which it is ordinary: the arc just stays open. Charts of dip transfer have 0.9 to 1.1 in the middle. No
+/// source: chosen.
+inline constexpr double kOrdinaryDip = 1;
 /// m, length of an arc at which exp(-1) of the short circuits are left: longer than the drop that hangs on the wire, no
 /// drop bridges it. No source: chosen.
 inline constexpr double kDipArc = 1.5e-3;

@@ -37,8 +37,7 @@ double meltingSpeed(const WireFeed& feed, double current, double voltage, double
 
 /// Returns the length (m) of the open arc in which a wire of this extension melts as fast as it is fed; 0 if it shorts.
 double balancedLength(const WireFeed& feed, double extension) {
-    const double current = feed.melting.current(feed.speed, extension);
-    return std::max(feed.voltage - fallVoltage(feed) - kWireResistance * current, 0.0) / kArcField;
+    return openArcLength(feed, feed.melting.current(feed.speed, extension));
 }
 
 } // namespace
@@ -63,21 +62,24 @@ double openArcCurrent(const WireFeed& feed, double length) {
     return std::clamp(left / kWireResistance, 0.0, kShortCircuitCurrent);
 }
 
+double openArcLength(const WireFeed& feed, double current) {
+    return std::max(feed.voltage - fallVoltage(feed) - kWireResistance * current, 0.0) / kArcField;
+}
+
 double wireExtension(const WireFeed& feed, double distance, double current) {
-    const double length = std::max(feed.voltage - fallVoltage(feed) - kWireResistance * current, 0.0) / kArcField;
-    return std::max(distance - length, 0.0);
+    return std::max(distance - openArcLength(feed, current), 0.0);
 }
 
 double feedAtCurrent(const WireFeed& feed, double distance, double current) {
     return feed.melting.speed(current, wireExtension(feed, distance, current));
 }
 
-double longestWireArc(const WireFeed& feed) {
-    return std::max(feed.voltage - fallVoltage(feed) - kWireResistance * kLeastArcCurrent, 0.0) / kArcField;
+double arcTime(const WireFeed& feed, double current) {
+    return std::clamp((feed.voltage - kWireResistance * current) / fallVoltage(feed), 0.0, 1.0);
 }
 
-double WireArc::arcTime() const {
-    return lit_ ? std::clamp((voltage_ - kWireResistance * current_) / kArcFallVoltage, 0.0, 1.0) : 0;
+double longestWireArc(const WireFeed& feed) {
+    return std::max(feed.voltage - fallVoltage(feed) - kWireResistance * kLeastArcCurrent, 0.0) / kArcField;
 }
 
 void WireArc::release() {

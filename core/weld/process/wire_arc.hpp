@@ -55,7 +55,6 @@ class WireArc {
     double fed() const { return fed_; }             ///< m of wire that came through the contact tip in the last step
     double melted() const { return melted_; }       ///< m of wire that melted in the last step
     double stretch() const { return stretch_; }     ///< 0..1, see ArcState
-    double arcTime() const;                         ///< 0..1, share of the time that the arc burns, by the mean voltage
 
   private:
     void feedInAir(const WireFeed& feed, double distance, double seconds);
@@ -74,6 +73,13 @@ class WireArc {
 /// Returns the current (A) of an open arc with the wire's end `length` (m) from the metal: (U - V0 - E length)/R, not
 /// below 0 nor above the machine's short circuit.
 double openArcCurrent(const WireFeed& feed, double length);
+
+/// Returns the length (m) of the open arc that this current (A) leaves; 0: the wire dips.
+double openArcLength(const WireFeed& feed, double current);
+
+/// Returns the share of the time, 0 to 1, that an arc of this mean current (A) burns, as a short circuit has no
+/// voltage.
+double arcTime(const WireFeed& feed, double current);
 
 /// Returns the extension (m) of the wire at this current (A) with the metal `distance` (m) from the contact tip: the
 /// distance less the open arc; all of it in dip transfer. The machine's speed is not used.

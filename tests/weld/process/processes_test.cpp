@@ -117,7 +117,7 @@ TEST_CASE(
     CHECK(cold.coldAngle == Approx(kColdAngle * 3.14159265 / 180));
     CHECK(cold.coldShare == kColdShare);
     CHECK(cold.warmShare == kWarmShare);
-    const EdgeArrest dips = settledGmaw(19, 3.6F)->edgeArrest();
+    const EdgeArrest dips = settledGmaw(19.6F, 3.6F)->edgeArrest();
     CHECK(dips.coldShare == Approx(kDipColdShare).margin(0.01));
     CHECK(dips.warmShare == Approx(kDipWarmShare).margin(0.01));
     CHECK(dips.coldAngle == Approx(kDipAngle * 3.14159265 / 180).margin(0.02));

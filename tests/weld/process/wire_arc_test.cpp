@@ -160,13 +160,12 @@ TEST_CASE("too little voltage stubs") {
 }
 
 TEST_CASE("an open arc burns all of the time, a dipping one the share that its mean voltage leaves it") {
-    CHECK(settled(machine(24), 15 * kMm).arcTime() == 1);
-    const WireArc dips = settled(machine(16), 12 * kMm);
-    CHECK(dips.arcTime() == Approx((16 - kWireResistance * dips.current()) / kArcFallVoltage));
-    CHECK(dips.arcTime() < 0.9);
-    CHECK(settled(machine(14), 12 * kMm).arcTime() < dips.arcTime());
-    WireArc out(12 * kMm);
-    CHECK(out.arcTime() == 0);
+    CHECK(arcTime(machine(24), 130) == 1);
+    CHECK(openArcLength(machine(24), 130) == Approx(settled(machine(24), 15 * kMm).length()).margin(2 * kMm));
+    CHECK(arcTime(machine(16), 140) == Approx((16 - kWireResistance * 140) / kArcFallVoltage));
+    CHECK(openArcLength(machine(16), 140) == 0);
+    CHECK(arcTime(machine(14), 140) < arcTime(machine(16), 140));
+    CHECK(arcTime(machine(2), 140) == 0);
 }
 
 TEST_CASE("a contact tip that lies on the metal or in it gives finite numbers") {
