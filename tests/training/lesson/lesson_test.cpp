@@ -182,8 +182,8 @@ TEST_CASE("a fillet is judged by the size that the lesson's text asks for", "[tr
         REQUIRE(lesson.nominal.leg.has_value() != lesson.nominal.throat.has_value());
         const bool leg = lesson.nominal.leg.has_value();
         const double size = (leg ? *lesson.nominal.leg : *lesson.nominal.throat) * 1e3;
-        const std::string asked = " of {" + formatNumber(size) + " mm}",
-                          about = " of about {" + formatNumber(size) + " mm}";
+        const std::string asked = " of " + formatNumber(size) + " mm",
+                          about = " of about " + formatNumber(size) + " mm";
         const auto names = [&](const std::string& word) {
             return lesson.text.find(word + asked) != std::string::npos ||
                    lesson.text.find(word + about) != std::string::npos;
