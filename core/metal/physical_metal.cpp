@@ -111,7 +111,7 @@ void PhysicalMetal::make() {
     state_->add(setup_.seeds);
     heat_ = std::make_unique<HeatSolver>(shaders_, *state_, setup_.material, setup_.heat);
     edge_ = setup_.edge;
-    flow_ = std::make_unique<Flow>(shaders_, *state_, fluidOf(setup_, edge_), setup_.space);
+    flow_ = std::make_unique<Flow>(shaders_, *state_, fluidOf(setup_, setup_.edge), setup_.space);
     fragments_ = std::make_unique<RigidFragments>(shaders_, *state_, setup_.fragments);
     capacity_ = state_->capacity();
 }
@@ -167,7 +167,9 @@ void PhysicalMetal::transfer(gl::StateArchive& archive) {
     heat_->transfer(archive);
     flow_->transfer(archive);
     fragments_->transfer(archive);
-    if (archive.restores()) answers_.forget();
+    if (!archive.restores()) return;
+    edge_.reset();
+    answers_.forget();
 }
 
 void PhysicalMetal::xorOutDerivedState() {
@@ -182,7 +184,7 @@ void PhysicalMetal::xorOutDerivedState() {
 void PhysicalMetal::setEdgeArrest(const EdgeArrest& edge) {
     if (edge == edge_) return;
     edge_ = edge;
-    flow_->setWetting(fluidOf(setup_, edge_));
+    flow_->setWetting(fluidOf(setup_, edge));
 }
 
 void PhysicalMetal::setLiquidConductivity(const Property& conductivity) {

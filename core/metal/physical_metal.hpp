@@ -109,7 +109,7 @@ class PhysicalMetal {
     gl::ShaderLibrary& shaders_;
     PhysicalSetup setup_;
     float timeStep_;
-    EdgeArrest edge_; ///< the flow's
+    std::optional<EdgeArrest> edge_; ///< the flow's; nothing: that of the restored state
     HeatTable table_;
     const gl::Program& count_;
     gl::Buffer parts_;

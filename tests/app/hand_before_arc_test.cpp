@@ -96,7 +96,7 @@ TEST_CASE("a glove before the arc takes the veil from both eyes", "[app]") {
     }
 }
 
-TEST_CASE("a glove before the arc keeps it from dazzling; one that leaves it to one eye does not", "[app]") {
+TEST_CASE("a glove before the arc keeps it from dazzling, one aside does not", "[app]") {
     BurningArc arc(true);
     arc.seenWithHand({-0.4f, 1.0f, 0.2f});
     CHECK(arc.dazzled());

@@ -69,7 +69,7 @@ TEST_CASE("a tee has its marks on the base plate and on the upright plate", "[sc
 }
 
 TEST_CASE("there is no mark where there is no face, and a pipe's lie along its axis", "[scene]") {
-    const std::array<WorkpieceBlock, 1> narrow{{{{-0.03F, -0.003F, -0.006F}, {0.03F, 0, 0.02F}}}};
+    const std::array<WorkpieceBlock, 1> narrow{{{{-0.03F, -0.003F, -0.004F}, {0.03F, 0, 0.02F}}}};
     CHECK(jointMarks(endsOf({0, 1, 0}), narrow).size() == 2);
     const auto onPipe = jointMarks(endsOf({0, 1, 0}), {});
     REQUIRE(onPipe.size() == 4);
