@@ -154,8 +154,8 @@ void DesktopMenus::closeOverlapping() {
             panels.result = false;
     }
     resultIsNewer_ = !panels.result;
-    // The newer of the two panels at the left replaces the older in a small window, and the panel at the right too
-    // where both would hide the weld.
+    // The newer of the two panels at the left replaces the older in a small window, and the panel at the right too in a
+    // smaller one, or where the result and the machine would hide the weld.
     const ui::Context& context = interface_.context();
     const auto width = static_cast<float>(window_.size().x);
     const bool both = panels.view && panels.timings;
@@ -163,7 +163,8 @@ void DesktopMenus::closeOverlapping() {
     timingsAreNewer_ = panels.view;
     const bool left = panels.result || panels.view || panels.timings;
     const float reach = panels.result ? ui::resultReach(context) : ui::panelReach(context);
-    if (left && panels.simulation && !machineWaits_ && kMostCovered * width < reach + ui::panelReach(context)) {
+    const float free = panels.result ? kMostCovered * width : width;
+    if (left && panels.simulation && !machineWaits_ && free < reach + ui::panelReach(context)) {
         if (machineIsNewer_)
             panels.result = panels.view = panels.timings = false;
         else
