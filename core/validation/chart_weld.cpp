@@ -1,6 +1,8 @@
 // A weld at the values of a maker's chart, on the joint that the chart is for: a tee, a lap or a square butt.
 #include "core/validation/case_size.hpp"
 #include "core/validation/case_weld.hpp"
+#include "core/validation/chart_case.hpp"
+#include "core/weld/workpiece/position.hpp"
 #include "core/weld/workpiece/simulated_size.hpp"
 
 #include <algorithm>
@@ -35,11 +37,12 @@ struct ChartWeld {
           weave(from.number("weave_mm") * 1e-3),
           frequency(from.number("weave_hz")),
           ambient(from.number("ambient_k")) {
-        const std::string_view kind = from.kind->name;
-        const bool butt = kind == "chart_butt";
-        joint.kind = static_cast<int>(butt                  ? WorkpieceKind::Butt
-                                      : kind == "chart_lap" ? WorkpieceKind::Lap
-                                                            : WorkpieceKind::Tee);
+        joint.kind = chartJoint(*from.kind);
+        const bool butt = joint.kind == static_cast<int>(WorkpieceKind::Butt);
+        const auto positions = positionNames();
+        if (!from.word("position").empty())
+            joint.position = static_cast<int>(std::find(positions.begin(), positions.end(), from.word("position")) -
+                                              positions.begin());
         joint.spacingMm = static_cast<float>(from.spacing * 1e3);
         joint.lengthMm = wholeSpacings(2e3 * half + 2 * kBeyond, joint.spacingMm);
         joint.thicknessMm = static_cast<float>(from.number("thickness_mm"));

@@ -1,6 +1,7 @@
 #include "core/validation/torch_run.hpp"
 
 #include "core/base/error.hpp"
+#include "core/weld/process/shielding_gas.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -50,6 +51,10 @@ void setWire(const ValidationCase& from, GmawSettings& gmaw) {
     const double diameter = from.number("wire_diameter_mm") * 1e-3;
     const double ctwd = from.number("ctwd_mm") * 1e-3;
     WireFeed feed{from.number("voltage"), from.number("wire_feed_m_min") / 60, WireMelting::steel(diameter)};
+    if (const ShieldingGas* gas = findShieldingGas(from.word("gas"))) {
+        feed.gasVoltage = gas->arcVoltage;
+        gmaw.gas = static_cast<int>(gas - shieldingGases().data());
+    }
     if (feed.voltage <= 0 && from.number("power_w") > 0 && from.number("current_a") > 0)
         feed.voltage = from.number("power_w") / from.number("current_a");
     if (feed.speed <= 0) feed.speed = feedAt(from, feed, from.number("current_a"));

@@ -3,8 +3,11 @@
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "core/base/toml_table.hpp"
+#include "core/validation/chart_case.hpp"
 #include "core/validation/exact_solutions.hpp"
+#include "core/validation/weld_case_keys.hpp"
 #include "core/weld/process/processes.hpp"
+#include "core/weld/process/shielding_gas.hpp"
 
 #include <algorithm>
 #include <array>
@@ -19,9 +22,7 @@ namespace {
 // and 0.007.
 constexpr double kUsualTension = 1;
 constexpr double kUsualViscosity = 0.004;
-constexpr double kHot = 20000; ///< highest temperature a case may name, K
-constexpr auto kNeeded = std::nullopt;
-using enum CaseValue;
+using namespace weld_case; // keys of the kinds that weld
 
 constexpr std::array kStep{
     CaseKey{"wall_temperature_k", number, 1, kHot, kNeeded, "held surface"},
@@ -46,40 +47,6 @@ constexpr std::array kRosenthal{
     CaseKey{"field_rms_percent", number, 0, 1000, 0.0, "greatest rms error of the field; 0: not checked"},
     CaseKey{"field_max_percent", number, 0, 1000, 0.0, "greatest error at any point; 0: not checked"},
 };
-/// Joins two lists of keys to one, for the compiler.
-template <size_t M, size_t N>
-constexpr std::array<CaseKey, M + N> joined(const std::array<CaseKey, M>& first, const std::array<CaseKey, N>& second) {
-    return [&]<size_t... I, size_t... J>(std::index_sequence<I...>, std::index_sequence<J...>) {
-        return std::array<CaseKey, M + N>{first[I]..., second[J]...};
-    }
-    (std::make_index_sequence<M>(), std::make_index_sequence<N>());
-}
-
-/// Keys of the process of every weld, see caseProcess().
-constexpr std::array kArc{
-    CaseKey{"process", process, 0, 0, 0.0, "gmaw with wire or gtaw without"},
-    CaseKey{"power_w", number, 0, 1e6, 0.0, "electric, where voltage and current are not given"},
-    CaseKey{"voltage", number, 0, 60, 0.0, "of the welding machine, with wire"},
-    CaseKey{"current_a", number, 0, 2000, 0.0, "of an arc without wire; with wire the feed follows from it"},
-    CaseKey{"wire_diameter_mm", number, 0, 10, 0.0, "0: no wire, a tungsten electrode"},
-    CaseKey{"wire_feed_m_min", number, 0, 100, 0.0, "of the wire"},
-    CaseKey{"ctwd_mm", number, 1, 60, 15.0, "contact tip to work distance, with wire"},
-    CaseKey{"arc_length_mm", number, 0.3, 30, 3.0, "from the tungsten electrode"},
-};
-/// Keys of every weld on a plate.
-constexpr std::array kPlate{
-    CaseKey{"plate_mm", triple, 0.1, 1000, kNeeded,
-            "along the seam first; of the other two the smaller is the thickness"},
-    CaseKey{"ambient_k", number, 1, kHot, kNeeded, "plate and air"},
-};
-constexpr CaseKey kTravel{"speed_mm_s", number, 0.01, 1000, kNeeded, "of travel"};
-constexpr std::array kEnergy = joined(
-    std::array{
-        CaseKey{"on_s", number, 0, 1e5, kNeeded, "time that the trigger is pulled"},
-        CaseKey{"loss", lossRate, 0, 1e6, 0.0, "heat lost from the surface: true, false or W/(m² K)"},
-        CaseKey{"speed_mm_s", number, 0, 1000, 0.0, "of travel"},
-    },
-    kArc);
 constexpr std::array kHydrostatic{CaseKey{"height_mm", number, 0.1, 1000, kNeeded, "of the column"}};
 constexpr std::array kDamBreak{CaseKey{"width_mm", number, 0.1, 1000, kNeeded, "of the column, twice as high"}};
 constexpr std::array kDroplet{CaseKey{"radius_mm", number, 0.01, 100, kNeeded, "of the drop"}};
@@ -99,53 +66,8 @@ constexpr std::array kCavity{
     CaseKey{"initial_k", number, 1, kHot, kNeeded, "metal at the start"},
     CaseKey{"times_s", list, 0.001, 1e6, kNeeded, "times to compare at, rising"},
 };
-constexpr std::array kBead =
-    joined(joined(std::array{kTravel,
-                             // Keys of earlier editions: read, and not used, as all welds have one set of constants.
-                             CaseKey{"efficiency", number, 0.01, 1, 1.0, "not used: a constant of the process"},
-                             CaseKey{"arc_sigma_mm", number, 0.1, 50, 1.0,
-                                     "not used: follows from the arc's length and current"},
-                             CaseKey{"liquid_conductivity_factor", number, 0.1, 20, 1.0,
-                                     "not used: a constant of all arc welds"}},
-                  kPlate),
-           kArc);
-constexpr std::array kFillet =
-    joined(joined(std::array{kTravel, CaseKey{"standing_mm", number, 1, 1000, 25.0, "height of the upright plate"},
-                             CaseKey{"work_angle_deg", number, 5, 85, 45.0, "between torch and base plate"},
-                             CaseKey{"travel_angle_deg", number, -60, 60, 0.0, "positive pushes"}},
-                  kPlate),
-           kArc);
-constexpr std::array kChart =
-    joined(std::array{kTravel, CaseKey{"thickness_mm", number, 0.1, 100, kNeeded, "of each plate"},
-                      CaseKey{"gap_mm", number, 0, 10, 0.0, "of a butt joint"},
-                      CaseKey{"seam_mm", number, 4, 1000, 20.0, "of weld that counts; 5 mm more at each end do not"},
-                      CaseKey{"leg_mm", number, 0, 50, 0.0, "intended leg of a fillet; 0: none is asked for"},
-                      CaseKey{"travel_angle_deg", number, -60, 60, 15.0, "positive pushes"},
-                      CaseKey{"aim_mm", number, -10, 10, 0.0, "of the torch off the seam, on the base plate"},
-                      CaseKey{"weave_mm", number, 0, 20, 0.0, "width of a weave; 0: none"},
-                      CaseKey{"weave_hz", number, 0, 10, 5.0, "swings of the weave a second"},
-                      CaseKey{"voltage_offset_v", number, -30, 30, 0.0, "added to the voltage at a given wire feed"},
-                      CaseKey{"speed_factor", number, 0.1, 10, 1.0, "times the travel speed at a given wire feed"},
-                      CaseKey{"ambient_k", number, 1, kHot, kNeeded, "plate and air"}},
-           kArc);
-constexpr std::array kSpot = joined(
-    joined(std::array{CaseKey{"on_s", number, 0.02, 600, kNeeded, "time that the trigger is pulled"}}, kPlate), kArc);
-constexpr std::array kCooling =
-    joined(joined(std::array{kTravel, CaseKey{"hot_k", number, 300, kHot, 1730.15, "start of the rate's interval"},
-                             CaseKey{"cold_k", number, 300, kHot, 1539.15, "end of the rate's interval"},
-                             CaseKey{"until_k", number, 0, kHot, 0.0, "temperature that ends the case; 0: cold_k"}},
-                  kPlate),
-           kArc);
-
 constexpr std::string_view kDepthResults = "temperature_at_Xmm_k";
 constexpr std::string_view kFrontResults = "front_mm, melted_mm, frozen_mm";
-constexpr std::string_view kChartResults =
-    "current_a, voltage_v, arc_length_mm, leg_lying_mm, leg_standing_mm, throat_mm, height_mm, toe_angle_lying_deg, "
-    "toe_angle_standing_deg, overlap_lying_mm, overlap_standing_mm, undercut_lying_mm, undercut_standing_mm, "
-    "root_fused_percent, root_fusion_mm, root_missing_mm, excess_penetration_mm, hole_mm, penetration_mm, accepted, "
-    "heat_by_drops_percent, arc_caught_percent, arc_on_solid_percent, arc_on_solid_ahead_percent, "
-    "arc_on_solid_lying_percent, arc_on_solid_standing_percent, line_warmth_lying_k, line_warmth_standing_k, "
-    "refused_filler";
 constexpr std::string_view kRosenthalResults =
     "temperature_at_XI_Y_Zmm_k, field_rms_percent, field_max_percent, settled_after_s";
 
@@ -261,13 +183,22 @@ Material readCaseMaterial(TomlTable& file, CaseMatter matter) {
     return m;
 }
 
-void readCaseKey(TomlTable& table, const CaseKey& key, ValidationCase& result) {
+/// Reads one key of [case]; one that is not there has the value of the chart's row, or its own fallback.
+void readCaseKey(TomlTable& table, const CaseKey& key, const ChartDefaults& chart, ValidationCase& result) {
     const std::string name(key.key);
     const NumberRange range{key.minimum, key.maximum};
     switch (key.value) {
-    case number:
-        result.numbers[name] = key.fallback ? table.number(name, range, *key.fallback) : table.number(name, range);
+    case number: {
+        const auto ofRow = chart.numbers.find(name);
+        const auto fallback = ofRow == chart.numbers.end() ? key.fallback : std::optional(ofRow->second);
+        result.numbers[name] = fallback ? table.number(name, range, *fallback) : table.number(name, range);
         break;
+    }
+    case word: {
+        const auto ofRow = chart.words.find(name);
+        result.words[name] = table.text(name, ofRow == chart.words.end() ? std::string_view() : ofRow->second);
+        break;
+    }
     case list:
         result.lists[name] = table.numbers(name, range);
         break;
@@ -364,8 +295,11 @@ void checkRosenthal(TomlTable& table, const ValidationCase& result) {
     }
 }
 
-/// Refuses keys that a process has no use for.
+/// Refuses an unknown gas, and keys that a process has no use for.
 void checkProcess(TomlTable& table, const ValidationCase& result) {
+    const std::string& gas = result.word("gas");
+    if (!gas.empty() && (result.process == Gtaw::kName || findShieldingGas(gas) == nullptr))
+        table.fail("gas", "is " + quote(gas) + "; expected ar_co2, co2, ar_o2, ar or none, and a gmaw arc");
     if (result.process == Gtaw::kName)
         for (const char* key : {"wire_diameter_mm", "wire_feed_m_min", "voltage"})
             if (result.number(key) > 0) table.fail(key, "a gtaw arc has no wire; expected gmaw, or the key left out");
@@ -391,6 +325,7 @@ void checkWeld(TomlTable& table, const ValidationCase& result) {
     const std::string_view kind = result.kind->name;
     checkArc(table, result);
     const bool chart = kind.starts_with("chart_");
+    if (chart) checkChart(table, result);
     if ((kind == "fillet" || chart) && !hasWire(result))
         table.fail("wire_diameter_mm", "is missing; expected a wire, because a " +
                                            std::string(chart ? "joint" : "fillet") + " needs filler");
@@ -481,8 +416,9 @@ ValidationCase readValidationCase(const std::filesystem::path& file) {
     result.tolerancePercent = table.number("tolerance_percent", {0, 1000}, 5);
     result.material = readCaseMaterial(table, result.kind->matter);
     TomlTable keys = table.table("case");
+    const ChartDefaults chart = chartDefaults(keys, *result.kind);
     for (const CaseKey& key : result.kind->keys)
-        readCaseKey(keys, key, result);
+        readCaseKey(keys, key, chart, result);
     keys.finish();
     checkTogether(keys, result);
     if (table.has("measured")) readMeasured(table, result);

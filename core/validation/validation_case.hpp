@@ -20,12 +20,15 @@ enum class CaseValue {
     rows,     ///< one or more rows of three numbers
     triple,   ///< exactly three numbers
     process,  ///< "gmaw" or "gtaw"; without it wire makes it GMAW
+    word,     ///< a text; empty without it
     lossRate, ///< true, false, or a coefficient in W/(m² K); true means kDefaultLossCoefficient
 };
 
 /// Convection coefficient for `loss = true`, W/(m² K); radiation comes on top.
 inline constexpr double kDefaultLossCoefficient = 15;
 
+/// Highest temperature that a case may name, K.
+inline constexpr double kHottest = 20000;
 /// Default solidus (K): nothing melts.
 inline constexpr double kNeverMelts = 20000;
 
@@ -76,10 +79,12 @@ struct ValidationCase {
     Material material;
     std::map<std::string, double, std::less<>> numbers;            ///< numbers of [case], units as in the key
     std::map<std::string, std::vector<double>, std::less<>> lists; ///< lists of [case]; rows one after the other
+    std::map<std::string, std::string, std::less<>> words;         ///< texts of [case]; empty ones are not given
     std::string process;                                           ///< process of [case]; empty if the case has none
     std::map<std::string, Measured, std::less<>> measured;         ///< values of [measured]
 
     double number(std::string_view key) const { return numbers.find(key)->second; }
+    const std::string& word(std::string_view key) const { return words.find(key)->second; }
     const std::vector<double>& list(std::string_view key) const { return lists.find(key)->second; }
 };
 

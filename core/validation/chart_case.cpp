@@ -1,0 +1,88 @@
+#include "core/validation/chart_case.hpp"
+
+#include "core/base/text.hpp"
+#include "core/weld/process/machine_chart.hpp"
+#include "core/weld/workpiece/position.hpp"
+
+#include <algorithm>
+
+namespace meltpool {
+
+namespace {
+
+constexpr std::string_view kKind = "chart_";
+
+ChartRow findRow(TomlTable& table, const std::string& id) {
+    for (ChartRow& row : readCharts(chartFolder()))
+        if (row.id == id) return row;
+    table.fail("row", "no chart has the row " + quote(id) + "; expected an id of a file in app/data/charts");
+}
+
+bool contains(const std::vector<std::string>& names, std::string_view name) {
+    return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Throws if the row is not for wire, or not for the joint of the case.
+void requireJoint(TomlTable& table, const CaseKind& kind, const ChartRow& row) {
+    if (row.process != Gmaw::kName) table.fail("row", "is for " + row.process + "; expected a row for gmaw");
+    if (!contains(row.joints, kind.name.substr(kKind.size())))
+        table.fail("row", "is for another joint than " + std::string(kind.name));
+}
+
+/// Throws if the case's own value of a key is not within the row's range.
+void requireWithin(TomlTable& table, const std::string& key, const std::optional<ChartRange>& range, double unit) {
+    if (!range || !table.has(key) || range->holds(table.number(key) * unit, kWireSlack)) return;
+    table.fail(key, "is not the row's; expected " + formatNumber(range->least / unit) + " to " +
+                        formatNumber(range->most / unit));
+}
+
+/// Returns the name of the position in which the row's joint is welded; empty: as the joint lies.
+std::string positionOf(const ChartRow& row, const CaseKind& kind) {
+    WorkpieceParameters lying;
+    lying.kind = chartJoint(kind);
+    return contains(row.positions, chartPosition(lying)) ? std::string() : row.positions.front();
+}
+
+} // namespace
+
+int chartJoint(const CaseKind& kind) {
+    const auto names = workpieceNames();
+    return static_cast<int>(std::find(names.begin(), names.end(), kind.name.substr(kKind.size())) - names.begin());
+}
+
+ChartDefaults chartDefaults(TomlTable& table, const CaseKind& kind) {
+    ChartDefaults values;
+    if (!kind.name.starts_with(kKind) || !table.has("row")) return values;
+    const ChartRow row = findRow(table, table.text("row"));
+    requireJoint(table, kind, row);
+    constexpr double kMm = 1e-3, kMetresPerMinute = 1.0 / 60;
+    requireWithin(table, "wire_diameter_mm", row.diameter, kMm);
+    requireWithin(table, "thickness_mm", row.thickness, kMm);
+    const auto middle = [&](const char* key, const std::optional<ChartRange>& range, double unit) {
+        if (range) values.numbers[key] = range->middle() / unit;
+    };
+    middle("thickness_mm", row.thickness, kMm);
+    middle("gap_mm", row.gap, kMm);
+    if (row.diameter && row.diameter->least == row.diameter->most) middle("wire_diameter_mm", row.diameter, kMm);
+    middle("wire_feed_m_min", row.feed, kMetresPerMinute);
+    middle("voltage", row.voltage, 1);
+    middle("current_a", row.current, 1);
+    middle("speed_mm_s", row.speed, kMm);
+    middle("ctwd_mm", row.tipDistance, kMm);
+    middle("leg_mm", row.leg, kMm);
+    if (!row.gases.empty()) values.words["gas"] = row.gases.front()->name;
+    values.words["position"] = positionOf(row, kind);
+    return values;
+}
+
+void checkChart(TomlTable& table, const ValidationCase& from) {
+    const std::string& position = from.word("position");
+    if (position.empty()) return;
+    const auto names = positionNames();
+    const auto found = std::find(names.begin(), names.end(), position);
+    const auto kind = static_cast<WorkpieceKind>(chartJoint(*from.kind));
+    if (found == names.end() || !positionFits(kind, static_cast<WeldPosition>(found - names.begin())))
+        table.fail("position", "is " + quote(position) + "; expected one of " + fittingPositions(kind));
+}
+
+} // namespace meltpool
