@@ -57,6 +57,9 @@ struct ChartWeld {
         held = {caseTorchHeight(from, process), (butt ? 90 : 45) * kDegree, from.number("travel_angle_deg") * kDegree};
     }
 
+    /// Returns the stretch that is judged.
+    FaceStretch counted() const { return {-half + kRunIn * 1e-3, half - kRunIn * 1e-3}; }
+
     double seconds() const { return kStrikes + 2 * half / speed; }
 
     /// Strikes, waits for a pool, and welds along the seam with the trigger pulled.
@@ -199,7 +202,8 @@ void runChartWeld(const ValidationCase& from, gl::ShaderLibrary& shaders, Valida
     weld.tellArc(from, result);
     watch.tell(result);
     StationSettings stations;
-    stations.seam = FaceStretch{-chart.half, chart.half};
+    stations.seam = chart.counted();
+    stations.ends = 0;
     result.weld = JudgedWeld{weld.measure(weldKindOf(chart.joint), stations), chart.nominal(from)};
     compareMeans(from, result.weld->measures, result);
     weld.requireArc(from);

@@ -175,7 +175,7 @@ inline constexpr double kOrdinaryDip = 1;
 inline constexpr double kDipArc = 1.5e-3;
 /// kColdAngle, kColdShare and kWarmShare of ordinary dip transfer. Fitted on D.
 inline constexpr double kDipAngle = 125;
-inline constexpr double kDipColdShare = 0.55;
-inline constexpr double kDipWarmShare = 0.8;
+inline constexpr double kDipColdShare = 0.11;
+inline constexpr double kDipWarmShare = 1;
 
 } // namespace meltpool
