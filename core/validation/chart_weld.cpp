@@ -204,7 +204,8 @@ void runChartWeld(const ValidationCase& from, gl::ShaderLibrary& shaders, Valida
     StationSettings stations;
     stations.seam = chart.counted();
     stations.ends = 0;
-    result.weld = JudgedWeld{weld.measure(weldKindOf(chart.joint), stations), chart.nominal(from)};
+    result.weld = JudgedWeld{weld.measure(weldKindOf(chart.joint), stations), chart.nominal(from), chart.process,
+                             weld.meanCurrent(), weld.meanVoltage()};
     compareMeans(from, result.weld->measures, result);
     weld.requireArc(from);
 }

@@ -174,7 +174,8 @@ inline constexpr double kOrdinaryDip = 0.95;
 inline constexpr double kDipArc = 1.5e-3;
 /// kColdAngle, kColdShare and kWarmShare of ordinary dip transfer: 30 degrees for each unit of the Stefan number, heat
 /// capacity times solidus less temperature over latent heat, by which the angle of freezing drops goes (Schiaffino and
-/// Sonin 1997; the factor is fitted on D). Of steel that is 0.08 degrees a kelvin, here from the solidus to 125 degrees.
+/// Sonin 1997; the factor is fitted on D). Of steel that is 0.08 degrees a kelvin, here from the solidus to 125
+/// degrees.
 inline constexpr double kDipAngle = 125;
 inline constexpr double kDipColdShare = 0.11;
 inline constexpr double kDipWarmShare = 1;
