@@ -10,6 +10,7 @@
 #include "core/base/resources.hpp"
 #include "core/base/text.hpp"
 #include "core/gl/context.hpp"
+#include "core/training/judging/estimates.hpp"
 #include "core/training/judging/verdict.hpp"
 #include "core/validation/mean_errors.hpp"
 #include "core/validation/validation.hpp"
@@ -174,6 +175,16 @@ std::string faultText(const VerdictItem& item) {
     return text;
 }
 
+/// Returns true if the arc's means let a lesson expect spatter.
+bool expectsSpatter(const JudgedWeld& weld) {
+    SeamMillimetre mean;
+    mean.current = weld.current;
+    mean.voltage = weld.voltage;
+    const std::vector<Estimate> estimates = estimateImperfections({&mean, 1}, weld.process);
+    return std::any_of(estimates.begin(), estimates.end(),
+                       [](const Estimate& each) { return each.name == "spatter" && each.value > 0; });
+}
+
 /// Judges the weld of a result by ISO 5817 C. A weld at the chart's own values must be accepted; of a changed one the
 /// verdict has no reference.
 void judgeChart(const ValidationCase& one, ValidationResult& result) {
@@ -186,6 +197,7 @@ void judgeChart(const ValidationCase& one, ValidationResult& result) {
         result.tell("accepted", verdict.accepted ? 1 : 0);
     else
         result.compareExact(one, "accepted", 1, verdict.accepted ? 1 : 0);
+    result.tell("spatter_expected", expectsSpatter(*result.weld) ? 1 : 0);
 }
 
 /// Reason for a case's early end: the person's input (exit code 2) or the machine (1).

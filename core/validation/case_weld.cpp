@@ -86,10 +86,9 @@ WeldMeasures CaseWeld::measure(WeldKind kind, const StationSettings& stations) c
 }
 
 void CaseWeld::tellArc(const ValidationCase& from, ValidationResult& result) const {
-    const double time = std::max(arc_.burning, 1e-9);
-    result.compareMeasured(from, "current_a", arc_.current / time);
-    result.tell("voltage_v", arc_.voltage / time);
-    result.tell("arc_length_mm", 1e3 * arc_.length / time);
+    result.compareMeasured(from, "current_a", meanCurrent());
+    result.tell("voltage_v", meanVoltage());
+    result.tell("arc_length_mm", 1e3 * arc_.length / std::max(arc_.burning, kNoTime));
     if (fed_) result.tell("refused_filler", static_cast<double>(weld_.metal().refusedFiller()));
 }
 

@@ -7,6 +7,8 @@
 #include "core/validation/validation.hpp"
 #include "core/weld/gauge/weld_stations.hpp"
 
+#include <algorithm>
+
 namespace meltpool {
 
 /// Throws InputError if this machine cannot hold a workpiece of `volume` (m³) and the wire of `seconds`.
@@ -36,6 +38,10 @@ class CaseWeld {
     /// Returns the measures of the whole weld at these stations.
     WeldMeasures measure(WeldKind kind, const StationSettings& stations) const;
 
+    /// Means (A, V) over the time in which the arc burned; 0 if it never did.
+    double meanCurrent() const { return arc_.current / std::max(arc_.burning, kNoTime); }
+    double meanVoltage() const { return arc_.voltage / std::max(arc_.burning, kNoTime); }
+
     /// Adds the arc's means and refused filler to the result.
     void tellArc(const ValidationCase& from, ValidationResult& result) const;
 
@@ -49,6 +55,8 @@ class CaseWeld {
     void compareDeposit(const ValidationCase& from, double length, ValidationResult& result) const;
 
   private:
+    static constexpr double kNoTime = 1e-9; ///< s, instead of none
+
     void addMeans();
 
     Workpiece piece_;

@@ -49,7 +49,7 @@ struct ChartWeld {
         joint.gapMm = static_cast<float>(from.number("gap_mm"));
         joint.widthMm = 2 * kAcross + (butt ? joint.gapMm : 0);
         joint.heightMm = wholeSpacings(static_cast<double>(kAcross), joint.spacingMm);
-        if (butt && joint.gapMm > 0) {
+        if (butt && joint.gapMm >= joint.spacingMm) { // a smaller gap has no room for tacks
             joint.tackCount = 2;
             joint.tackLengthMm = static_cast<float>(kBeyond + 2);
         }
@@ -204,7 +204,8 @@ void runChartWeld(const ValidationCase& from, gl::ShaderLibrary& shaders, Valida
     StationSettings stations;
     stations.seam = chart.counted();
     stations.ends = 0;
-    result.weld = JudgedWeld{weld.measure(weldKindOf(chart.joint), stations), chart.nominal(from)};
+    result.weld = JudgedWeld{weld.measure(weldKindOf(chart.joint), stations), chart.nominal(from), chart.process,
+                             weld.meanCurrent(), weld.meanVoltage()};
     compareMeans(from, result.weld->measures, result);
     weld.requireArc(from);
 }

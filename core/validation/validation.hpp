@@ -4,6 +4,7 @@
 #include "core/gl/program.hpp"
 #include "core/validation/validation_case.hpp"
 #include "core/weld/gauge/weld_figures.hpp"
+#include "core/weld/process/processes.hpp"
 
 #include <functional>
 #include <optional>
@@ -29,6 +30,8 @@ struct ValidationNumber {
 struct JudgedWeld {
     WeldMeasures measures;
     NominalWeld nominal;
+    ProcessSettings process;
+    double current = 0, voltage = 0; ///< A, V of the arc, means over the time in which it burned
 };
 
 struct ValidationResult {

@@ -95,6 +95,7 @@ inline constexpr std::string_view kChartResults =
     "current_a, voltage_v, arc_length_mm, leg_lying_mm, leg_standing_mm, throat_mm, height_mm, toe_angle_lying_deg, "
     "toe_angle_standing_deg, overlap_lying_mm, overlap_standing_mm, undercut_lying_mm, undercut_standing_mm, "
     "root_fused_percent, root_fusion_mm, root_missing_mm, excess_penetration_mm, hole_mm, penetration_mm, accepted, "
+    "spatter_expected, "
     "heat_by_drops_percent, arc_caught_percent, arc_on_solid_percent, arc_on_solid_ahead_percent, "
     "arc_on_solid_lying_percent, arc_on_solid_standing_percent, line_warmth_lying_k, line_warmth_standing_k, "
     "refused_filler";

@@ -92,16 +92,16 @@ TEST_CASE("an attempt is welded again with a change, and a sentence says what wo
     const fs::path folder = test::scratchFolder("window-what-if");
     const fs::path one = recordedBead(folder, "one.csv", 8);
     AttemptComparison comparison;
-    comparison.choose("wire_feed_m_min=3.6", "wire feed 3.6 m/min instead of 4.5");
+    comparison.choose("wire_feed_m_min=2.9", "wire feed 2.9 m/min instead of 3.6");
     comparison.tryChange({one, "one"});
     REQUIRE(comparison.welding());
-    CHECK(comparison.side(1).detail == "wire feed 3.6 m/min instead of 4.5");
+    CHECK(comparison.side(1).detail == "wire feed 2.9 m/min instead of 3.6");
     untilBoth(comparison);
     INFO(comparison.fault());
     REQUIRE(comparison.rows());
     CHECK(comparison.attempt(0)->end.verdict == ReplayEnd::Verdict::same);
     CHECK(meanOf(comparison, 1, "mean_current_a") < meanOf(comparison, 0, "mean_current_a") - 5);
-    CHECK_THAT(comparison.rows()->words, test::containsText("With wire feed 3.6 m/min instead of 4.5 "));
+    CHECK_THAT(comparison.rows()->words, test::containsText("With wire feed 2.9 m/min instead of 3.6 "));
     CHECK(comparison.welded() == 2);
 
     comparison.choose("speed=5mm/s", "travel speed 5 mm/s instead of 8");
@@ -170,9 +170,9 @@ TEST_CASE("a person who compares two attempts is in no lesson, and the session m
     session.begin(controls);
     CHECK(activities.at(activities.attempt));
     CHECK_FALSE(comparison.rows());
-    activities.comparison.choose("wire_feed_m_min=3.6", "wire feed 3.6 m/min instead of 4.5");
+    activities.comparison.choose("wire_feed_m_min=2.9", "wire feed 2.9 m/min instead of 3.6");
     session.compare({one, "one"}); // the comparison ends the lesson; it tries the chosen change
-    CHECK(comparison.side(1).detail == "wire feed 3.6 m/min instead of 4.5");
+    CHECK(comparison.side(1).detail == "wire feed 2.9 m/min instead of 3.6");
     session.compare({one, "one"}, {two, "two"}); // the comparison ends the lesson
     CHECK_FALSE(session.running());
     CHECK(session.run().trainer() == nullptr);

@@ -61,7 +61,7 @@ TEST_CASE("bad command lines are refused", "[app]") {
              {"--person " + std::string(41, 'x'), "--person: The name 'xxx", "has 41 letters; expected 40 at most"},
              {"--person $(printf 'a\\001b')", "--person: The name 'a", "expected letters, digits"},
              {"--person Anna recordings", "--person is an option of the trainer's window", "recordings --help"},
-             {"run gmaw-bead --set voltage=30" + out, "'voltage' is '30'", "expected a number from 20 to 26 (V)"},
+             {"run gmaw-bead --set voltage=30" + out, "'voltage' is '30'", "expected a number from 16 to 26 (V)"},
              {"run gmaw-bead --set metal=cheese" + out, "unknown material 'cheese'", "expected one of 304"},
          })
         checkRefusal(bad);

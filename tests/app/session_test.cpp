@@ -400,7 +400,7 @@ TEST_CASE("for score what a lesson gives stays the lesson's", "[app]") {
     CHECK(given("wire_feed_m_min"));
     CHECK_FALSE(given("voltage"));
     session.begin(controls);
-    CHECK(valueOf(session, "wire_feed_m_min") == "4.5");
+    CHECK(valueOf(session, "wire_feed_m_min") == "3.6");
     CHECK(valueOf(session, "voltage") == "22");
     CHECK_FALSE(session.values().settingsChanged());
     session.end("start menu");

@@ -259,10 +259,20 @@ void CutLayers::measureLevel(const WeldOutline& outline, Section& section) const
     section.rootConcavity = grooveDepth(outline, under, {-weld->high, -weld->low}, spacing_).value_or(0);
 }
 
+double CutLayers::uprightHeight(glm::ivec2 corner) const {
+    const auto any = std::find_if(layers_.begin(), layers_.end(), [](const Layer& layer) { return layer.had > 0; });
+    int rows = 0;
+    while (any->slice.held({corner.x - 1, corner.y + rows}))
+        ++rows;
+    return rows * spacing_;
+}
+
 void CutLayers::measureCorner(const WeldOutline& outline, glm::ivec2 corner, Section& section) const {
     const PlateFace base{{columnPlace(corner.x), rowHeight(corner.y)}};
     section.fillet = measureFillet(outline, base, spacing_);
     if (!section.openCorner) {
+        const double edge = uprightHeight(corner);
+        if (section.fillet && section.fillet->toes[1].place >= edge) section.coveredEdge = edge;
         section.rootFusion = mean([&](const Layer& l) { return rootFusion(l.slice, corner, cut_.fusion) * spacing_; });
         section.rootFused =
             mean([&](const Layer& l) { return rootFusion(l.slice, corner, cut_.fusion) > 0 ? 1.0 : 0.0; });

@@ -43,6 +43,8 @@ class CutLayers {
     WeldZone zoneOf(double kelvin) const;
     void measureShape(const SectionMap& map, Section& section) const;
     void measureLevel(const WeldOutline& outline, Section& section) const;
+    /// Returns the height (m) of the upright plate over its corner with the base plate.
+    double uprightHeight(glm::ivec2 corner) const;
     void measureCorner(const WeldOutline& outline, glm::ivec2 corner, Section& section) const;
     void measureSeamEdges(Section& section) const;
     std::optional<FaceStretch> meanFusedTop() const;

@@ -184,7 +184,7 @@ void takeFillet(const Section& section, WeldStation& station) {
     station.rootFusion = section.rootFusion;
     if (section.fillet) {
         station.edgeAngle1 = fillet.toes[0].angle;
-        station.edgeAngle2 = fillet.toes[1].angle;
+        if (!section.coveredEdge) station.edgeAngle2 = fillet.toes[1].angle;
         station.middle = (*station.leg1 - *station.leg2) / (2 * std::numbers::sqrt2);
     }
     if (!section.fusedFaces) return;
@@ -193,7 +193,7 @@ void takeFillet(const Section& section, WeldStation& station) {
     station.lackOfFusion = unfused > 0 ? unfused : -section.rootFusion.value_or(0);
     if (!section.fillet) return;
     station.overlap1 = *station.leg1 - base.high;
-    station.overlap2 = *station.leg2 - upright.high;
+    station.overlap2 = section.coveredEdge.value_or(*station.leg2) - upright.high;
 }
 
 } // namespace

@@ -63,6 +63,9 @@ struct Section {
     /// bridge; the edges of a butt joint may be bevelled. Places are m from the seam (z).
     std::optional<BeadShape> bead;
     std::optional<FilletShape> fillet; ///< only of a tee, a lap joint and an outside corner with weld metal in them
+    /// m, height of the upright plate over the corner where the weld covers all of it, as it covers the edge of a lap
+    /// joint's upper plate: beyond is no face to measure a toe against.
+    std::optional<double> coveredEdge;
     /// m along the line where the plates of a tee or a lap joint meet, from their corner inwards, over which both are
     /// fused.
     std::optional<double> rootFusion;

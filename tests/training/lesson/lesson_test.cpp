@@ -347,9 +347,9 @@ TEST_CASE("a lesson knows which settings are its own, and how far they may be fr
     const SettingFact volts = fact("voltage");
     CHECK(volts.name == "voltage");
     CHECK(volts.unit == "V");
-    CHECK((volts.value == 20.5 && volts.asked == 23 && volts.ofMachine));
-    CHECK((volts.least == 20 && volts.most == 26)); // the trainee's choice
-    CHECK((volts.lowest == 20 && volts.highest == 26));
+    CHECK((volts.value == 20.5 && volts.asked == 19 && volts.ofMachine));
+    CHECK((volts.least == 16 && volts.most == 26)); // the trainee's choice
+    CHECK((volts.lowest == 16 && volts.highest == 26));
     const SettingFact given = fact("stick_out_mm");
     CHECK((given.value == 20 && given.asked == 12));
     CHECK(given.most == Approx(12.24));

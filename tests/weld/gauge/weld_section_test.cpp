@@ -1,6 +1,7 @@
 // Sections of metal with known zones: on plates and in corners, in part off the lattice, empty, and outside the metal.
 #include "core/base/error.hpp"
 #include "core/weld/gauge/weld_section.hpp"
+#include "core/weld/gauge/weld_stations.hpp"
 #include "core/weld/workpiece/workpiece.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
@@ -149,6 +150,32 @@ TEST_CASE("a tee's section follows both plates and has no height over one level"
     REQUIRE(section.heatAffected);
     CHECK(section.heatAffected->depth * 1e3 == Approx(5.3).margin(0.06));
     CHECK(section.heatAffected->width > section.fusion.width);
+}
+
+TEST_CASE("a toe has no angle against a lap's upper edge that the weld covers", "[gauge]") {
+    test::context();
+    const Heated lap(WorkpieceKind::Lap, coneOf(3.3e-3F));
+    // A staircase in the corner, so many rows high.
+    const auto stationWith = [&](int rows) {
+        std::vector<MetalSeed> fillet;
+        for (int i = 0; i < 16; ++i)
+            for (int row = 0; row < rows; ++row)
+                for (int column = 0; column < rows - row; ++column)
+                    fillet.push_back(
+                        {{(static_cast<float>(i) - 7.5F) * kSpacing, (0.5F + static_cast<float>(row)) * kSpacing,
+                          (0.5F + static_cast<float>(column)) * kSpacing},
+                         1900,
+                         PHASE_ALIVE,
+                         glm::vec3(0)});
+        return stationOf(measureSection(lap.state(fillet), lap.piece.seeds, cutOf(-2.5e-3, 2.5e-3)), WeldKind::fillet,
+                         0);
+    };
+    const WeldStation low = stationWith(3), covering = stationWith(8);
+    CHECK(low.edgeAngle2);
+    CHECK_FALSE(covering.edgeAngle2);
+    CHECK(covering.edgeAngle1);
+    REQUIRE((low.overlap2 && covering.overlap2));
+    CHECK(*covering.overlap2 < *covering.leg2); // no overlap beyond the edge
 }
 
 TEST_CASE("every kind of workpiece has a section, and only level ones have a height", "[gauge]") {
