@@ -100,8 +100,14 @@ TEST_CASE("the bar names what the activity uses and nothing else") {
 }
 
 TEST_CASE("while a gamepad is in use the list names its parts, each with one effect") {
-    const KeySituation weld{
-        .lesson = true, .seam = true, .arc = true, .rod = true, .judges = true, .next = true, .redoes = true};
+    const KeySituation weld{.lesson = true,
+                            .seam = true,
+                            .arc = true,
+                            .rod = true,
+                            .weaves = true,
+                            .judges = true,
+                            .next = true,
+                            .redoes = true};
     std::vector<KeySituation> all(5, weld);
     all[1] = {.lesson = true, .demonstration = true};
     all[2] = {.lesson = true, .cut = true, .seam = true, .arc = true, .judges = true};
@@ -135,8 +141,9 @@ TEST_CASE("while a gamepad is in use the list names its parts, each with one eff
         }
     }
     const KeyGuide torch(all[0]);
-    for (const char* part : {"help.pad.left_stick", "help.pad.right_stick", "help.pad.left_trigger",
-                             "help.pad.right_trigger", "help.pad.shoulders", "help.pad.menu", "help.pad.view"}) {
+    for (const char* part :
+         {"help.pad.left_stick", "help.pad.right_stick", "help.pad.left_trigger", "help.pad.right_trigger",
+          "help.pad.right_thumb", "help.pad.shoulders", "help.pad.menu", "help.pad.view"}) {
         INFO(part);
         CHECK(
             std::any_of(torch.rows().begin(), torch.rows().end(), [&](const KeyRow& row) { return row.pad == part; }));
