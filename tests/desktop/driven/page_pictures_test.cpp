@@ -1,5 +1,5 @@
-// Takes a picture of every page of the window at a large text, on a small and on a dense screen, into the build folder's
-// desktop-pictures. Not among the ordinary tests: look at the pictures.
+// Takes a picture of every page of the window at a large text, on a small and on a dense screen, into the build
+// folder's desktop-pictures. Not among the ordinary tests: look at the pictures.
 //   build/release/bin/test_desktop "[pages]"
 #include "tests/desktop/driven/driver.hpp"
 #include "tests/support/catch.hpp"
@@ -24,8 +24,7 @@ bool onPage(const json& state, const char* page) {
 class Pages {
   public:
     Pages(const std::string& name, VirtualDisplay& display)
-        : name_(name),
-          window_("pages-" + name, {.settings = settings(), .lesson = "", .display = &display}) {}
+        : name_(name), window_("pages-" + name, {.settings = settings(), .lesson = "", .display = &display}) {}
 
     void take(const std::string& page) {
         window_.settle();
