@@ -2,6 +2,7 @@
 #include "app/ui/key_guide.hpp"
 
 #include "app/desktop/desktop_actions.hpp"
+#include "app/ui/panels.hpp"
 #include "core/base/words.hpp"
 #include "tests/desktop/parts/drawn_interface.hpp"
 #include "tests/support/catch.hpp"
@@ -97,6 +98,24 @@ TEST_CASE("the bar names what the activity uses and nothing else") {
     CHECK(has(demonstration, Key::space, true));
     CHECK(has(cut, Key::x, true));
     CHECK(has(weld, Key::backspace));
+}
+
+TEST_CASE("a narrow bar leaves out whole figures, the last ones first") {
+    DrawnInterface interface;
+    const KeySituation replay{.lesson = true, .replay = true};
+    const auto drawn = [&](float width, std::string_view picture, const KeySituation& now) {
+        ImGui::GetIO().DisplaySize.x = width;
+        LessonFigures figures;
+        figures.picture = picture;
+        figures.particles = 24851;
+        return interface.draw([&](ui::Context& context) { statusBar(context, figures, now); });
+    };
+    for (const float width : {560.0F, 700.0F, 760.0F}) {
+        INFO(width << " points wide");
+        const int cut = drawn(width, "a picture of few pixels", replay);
+        CHECK(cut == drawn(width, {}, replay));
+    }
+    CHECK(drawn(3000, "a picture of few pixels", replay) > drawn(3000, {}, replay));
 }
 
 TEST_CASE("while a gamepad is in use the list names its parts, each with one effect") {
