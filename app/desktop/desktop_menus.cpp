@@ -13,8 +13,8 @@ namespace {
 
 /// Share of the window; wider panels leave no room for the metal.
 constexpr float kMostCovered = 0.7f;
-/// Share of its height that bars and a replay's panel may cover.
-constexpr float kMostReplay = 0.8f;
+/// Share of its height that bars and a replay's or demonstration's panel may cover.
+constexpr float kMostPlayed = 0.8f;
 
 ui::KeySituation keysOf(const DesktopMenuContent& content) {
     return ui::keySituation(content.controls, content.session, content.home.open, content.headset);
@@ -39,9 +39,9 @@ CoveredEdges DesktopMenus::covered() {
     if (covered.left + covered.right > kMostCovered) covered.left = covered.right = 0;
     if (2 * bar > kMostCovered) covered.bottom = covered.top = 0;
     const ui::Context& context = interface_.context();
-    if (replays_ && !panels.hidden)
-        covered.bottom += std::clamp((context.replayHeight + context.points(10)) / size.y, 0.0f,
-                                     std::max(kMostReplay - 2 * bar, 0.0f));
+    if (plays_ && !panels.hidden)
+        covered.bottom +=
+            std::clamp((context.playHeight + context.points(10)) / size.y, 0.0f, std::max(kMostPlayed - 2 * bar, 0.0f));
     return covered;
 }
 
@@ -51,7 +51,7 @@ MenuRequest DesktopMenus::draw(const DesktopMenuContent& content) {
     // The machine panel would cover the demonstration's controls in a narrow window.
     const Activities& activities = session.activities();
     const bool covers = activities.at(activities.demonstration) && ui::narrowerThan(context, 760);
-    replays_ = session.running() && activities.at(activities.replay);
+    plays_ = session.running() && (activities.at(activities.replay) || activities.at(activities.demonstration));
     machineWaits_ = session.picture().cut().shown() || activities.at(activities.replay) || covers;
     MenuRequest request = MenuRequest::none;
     if (content.home.open)

@@ -68,7 +68,7 @@ class DesktopMenus {
     /// room.
     bool machineWaits_ = false;
     bool machineBefore_ = false;   ///< the machine panel was open in the last frame
-    bool replays_ = false;         ///< the replay's panel is shown
+    bool plays_ = false;           ///< a replay's or demonstration's panel is shown
     bool focused_ = false;         ///< keys choose controls of the running lesson
     bool occupied_ = false;        ///< a control is being changed or a list is open, in the last frame
     bool asked_ = false;           ///< a question was shown in the last frame

@@ -41,6 +41,7 @@ constexpr std::array<std::pair<int, GamepadButton>, static_cast<size_t>(GamepadB
     {GLFW_GAMEPAD_BUTTON_Y, GamepadButton::y},
     {GLFW_GAMEPAD_BUTTON_BACK, GamepadButton::view},
     {GLFW_GAMEPAD_BUTTON_START, GamepadButton::menu},
+    {GLFW_GAMEPAD_BUTTON_RIGHT_THUMB, GamepadButton::rightThumb},
     {GLFW_GAMEPAD_BUTTON_DPAD_UP, GamepadButton::up},
     {GLFW_GAMEPAD_BUTTON_DPAD_RIGHT, GamepadButton::right},
     {GLFW_GAMEPAD_BUTTON_DPAD_DOWN, GamepadButton::down},

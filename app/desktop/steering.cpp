@@ -37,13 +37,8 @@ void setKey(ImGuiKey key, bool down) {
 #endif
 }
 
-bool tapped(const InputFrame& input, Key key) {
-    return kLosesTaps && input.isHeld(key);
-}
-
 /// The gamepad repeats by itself: its buttons are pressed for a frame each time.
-bool pressedArrow(const InputFrame& input, const Arrow& arrow) {
-    if (!input.gamepad.isHeld(arrow.button)) return tapped(input, arrow.key);
+bool repeats(const InputFrame& input, const Arrow& arrow) {
     return std::find(input.pressed.begin(), input.pressed.end(), arrow.key) != input.pressed.end();
 }
 
@@ -59,19 +54,25 @@ bool Steering::chooses(bool steers, const InputFrame& input) {
 }
 
 void Steering::press(bool steers, const InputFrame& input) {
-    constexpr std::array<ImGuiKey, 7> kKeys{ImGuiKey_LeftArrow, ImGuiKey_RightArrow, ImGuiKey_UpArrow,
-                                            ImGuiKey_DownArrow, ImGuiKey_Space,      ImGuiKey_Escape,
-                                            ImGuiKey_Enter};
+    constexpr std::array<ImGuiKey, kKeyCount> kKeys{ImGuiKey_LeftArrow, ImGuiKey_RightArrow, ImGuiKey_UpArrow,
+                                                    ImGuiKey_DownArrow, ImGuiKey_Space,      ImGuiKey_Escape,
+                                                    ImGuiKey_Enter,     ImGuiKey_Backspace};
+    // In a field of text, which a mouse may have opened, a tap counts too.
+    const bool taps = kLosesTaps && (steers || ImGui::GetIO().WantTextInput);
+    const auto tapped = [&](Key key) { return taps && input.isHeld(key); };
     const bool choose = chooses(steers, input);
-    std::array<bool, 7> wanted{};
-    if (steers) {
-        for (size_t way = 0; way < kArrows.size(); ++way)
-            wanted[way] = pressedArrow(input, kArrows[way]) || idle_ == static_cast<ImGuiDir>(way);
-        idle_ = ImGuiDir_None;
-        wanted[4] = choose || tapped(input, Key::space);
-        wanted[5] = input.gamepad.isHeld(GamepadButton::b) || tapped(input, Key::escape);
-        wanted[6] = tapped(input, Key::enter) && !input.gamepad.isHeld(GamepadButton::a);
+    const GamepadFrame pad = steers ? input.gamepad : GamepadFrame{};
+    std::array<bool, kKeyCount> wanted{};
+    for (size_t way = 0; way < kArrows.size(); ++way) {
+        const bool byPad = pad.isHeld(kArrows[way].button);
+        const bool idle = steers && idle_ == static_cast<ImGuiDir>(way);
+        wanted[way] = idle || (byPad ? repeats(input, kArrows[way]) : tapped(kArrows[way].key));
     }
+    if (steers) idle_ = ImGuiDir_None;
+    wanted[4] = choose || tapped(Key::space);
+    wanted[5] = pad.isHeld(GamepadButton::b) || tapped(Key::escape);
+    wanted[6] = tapped(Key::enter) && !pad.isHeld(GamepadButton::a);
+    wanted[7] = tapped(Key::backspace);
     for (size_t i = 0; i < kKeys.size(); ++i)
         if (wanted[i] != pressed_[i]) setKey(kKeys[i], wanted[i]);
     pressed_ = wanted;

@@ -24,7 +24,8 @@ class Steering {
   private:
     bool chooses(bool steers, const InputFrame& input);
 
-    std::array<bool, 7> pressed_{};
+    static constexpr size_t kKeyCount = 8;
+    std::array<bool, kKeyCount> pressed_{};
     ImGuiDir idle_ = ImGuiDir_None;
     bool enterBefore_ = false; ///< the key or button that chooses was held in the last frame
     bool chooses_ = false;     ///< it was pressed on controls and is still held

@@ -26,6 +26,7 @@ constexpr ButtonKey kButtonKeys[] = {
     {GamepadUse::torch, GamepadButton::y, Key::tab},
     {GamepadUse::torch, GamepadButton::view, Key::h},
     {GamepadUse::torch, GamepadButton::menu, Key::v},
+    {GamepadUse::torch, GamepadButton::rightThumb, Key::g},
     {GamepadUse::torch, GamepadButton::up, Key::w},
     {GamepadUse::torch, GamepadButton::down, Key::s},
     {GamepadUse::torch, GamepadButton::left, Key::a},

@@ -52,8 +52,8 @@ enum class Key {
 };
 
 /// Buttons of a gamepad. Of the four at the right a is the lower, b the right, x the left, y the upper one, whatever is
-/// printed on them. The last four are those of the directional pad.
-enum class GamepadButton { a, b, x, y, view, menu, up, right, down, left, count };
+/// printed on them; rightThumb is the right stick, pressed in. The last four are those of the directional pad.
+enum class GamepadButton { a, b, x, y, view, menu, rightThumb, up, right, down, left, count };
 
 /// Gamepad input; all at rest without a gamepad. Sticks -1..1, to the right and away from the person positive.
 struct GamepadFrame {

@@ -75,6 +75,9 @@ ShortText torchText(const LessonFigures& f) {
     return text;
 }
 
+/// Between the figures of the bar; the words of the metal have it too.
+constexpr std::string_view kBetween = "   \xC2\xB7   ";
+
 ShortText metalText(const LessonFigures& f) {
     const double share = f.particles > 0 ? 100.0 * static_cast<double>(f.molten) / static_cast<double>(f.particles) : 0;
     ShortText text;
@@ -92,10 +95,28 @@ ShortText figuresText(const LessonFigures& f) {
     const std::string_view pace = f.stopped ? std::string_view(phrase("bar.figures.stopped")) : f.slow;
     for (const std::string_view more : {pace, f.picture, f.detail}) {
         if (more.empty()) continue;
-        all += "   \xC2\xB7   ";
+        all += kBetween;
         all += more;
     }
     return all;
+}
+
+/// Leaves out the last figures until the text is no wider than `room`; the first one stays.
+ShortText fitting(const ShortText& figures, float room) {
+    std::string_view text(figures.c_str());
+    while (ImGui::CalcTextSize(text.data(), text.data() + text.size()).x > room) {
+        const size_t end = text.rfind(kBetween);
+        if (end == std::string_view::npos) break;
+        text = text.substr(0, end);
+    }
+    return {text};
+}
+
+/// Returns the room that the hint takes; 0: the row has none.
+float hintWidth(const Context& context, const KeyRow& row) {
+    const ShortText key = row.hint.empty() ? ShortText() : keyRowName(context, row);
+    if (key.empty()) return 0;
+    return ImGui::CalcTextSize(key.c_str()).x + ImGui::CalcTextSize(phrase(row.hint).c_str()).x + context.points(40);
 }
 
 /// Draws a key's name in a small frame, and its effect.
@@ -252,20 +273,19 @@ void statusBar(Context& context, const LessonFigures& figures, const KeySituatio
     beginBar(context, "status bar", ImGui::GetIO().DisplaySize.y - height);
     ImGui::PushFont(context.fonts.small);
     ImGui::SetCursorPosY((height - ImGui::GetTextLineHeight()) / 2);
-    const ShortText text = figuresText(figures);
-    // The end of the figures is cut off if the window has no room for all.
-    const float right = std::max(
-        ImGui::GetIO().DisplaySize.x - ImGui::CalcTextSize(text.c_str()).x - context.points(16), context.points(16));
-
     const KeyGuide guide(now);
+    // In a narrow window the weightiest hint has room before the last figures.
+    float first = 0;
+    for (const KeyRow& row : guide.rows())
+        if (first <= 0) first = hintWidth(context, row);
+    const float screen = ImGui::GetIO().DisplaySize.x, edge = context.points(16);
+    const ShortText text = fitting(figuresText(figures), screen - 2 * edge - first);
+    const float right = std::max(screen - ImGui::CalcTextSize(text.c_str()).x - edge, edge);
     for (const KeyRow& row : guide.rows()) {
-        if (row.hint.empty()) continue;
-        const ShortText key = keyRowName(context, row);
-        if (key.empty()) continue;
-        const char* const what = phrase(row.hint).c_str();
-        const float need = ImGui::CalcTextSize(key.c_str()).x + ImGui::CalcTextSize(what).x + context.points(40);
+        const float need = hintWidth(context, row);
+        if (need <= 0) continue;
         if (ImGui::GetCursorPosX() + need > right) break;
-        keyHint(context, key.c_str(), what);
+        keyHint(context, keyRowName(context, row).c_str(), phrase(row.hint).c_str());
     }
     ImGui::GetWindowDrawList()->AddText({right, ImGui::GetWindowPos().y + (height - ImGui::GetTextLineHeight()) / 2},
                                         colour::kText, text.c_str());

@@ -55,6 +55,7 @@ MenuRequest demonstrationBar(Context& context, LessonSession& session, float lef
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
     noteWindow(context, "demonstration");
     const MenuRequest request = demonstrationPart(context, session);
+    context.playHeight = ImGui::GetWindowHeight();
     ImGui::End();
     return request;
 }

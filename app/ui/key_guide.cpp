@@ -48,8 +48,9 @@ std::string_view nameOf(Key key) {
 /// Phrase of a gamepad's button.
 std::string_view padName(GamepadButton button) {
     static constexpr std::array<std::string_view, size_t(GamepadButton::count)> kNames{
-        "help.pad.a",    "help.pad.b",       "help.pad.x",          "help.pad.y",       "help.pad.view",
-        "help.pad.menu", "help.pad.up_down", "help.pad.left_right", "help.pad.up_down", "help.pad.left_right"};
+        "help.pad.a",          "help.pad.b",       "help.pad.x",           "help.pad.y",
+        "help.pad.view",       "help.pad.menu",    "help.pad.right_thumb", "help.pad.up_down",
+        "help.pad.left_right", "help.pad.up_down", "help.pad.left_right"};
     return kNames[size_t(button)];
 }
 

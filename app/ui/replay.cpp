@@ -215,7 +215,7 @@ MenuRequest replayBar(Context& context, LessonSession& session) {
     ImGui::PopStyleVar();
     noteWindow(context, "replay");
     const MenuRequest request = replayPart(context, session);
-    context.replayHeight = ImGui::GetWindowHeight();
+    context.playHeight = ImGui::GetWindowHeight();
     ImGui::End();
     return request;
 }

@@ -23,7 +23,7 @@ struct Context {
     float startValuesHeight = 0; ///< height of the start menu's scrolling part in the last frame; 0: not drawn yet
     float startFootHeight = 0;   ///< height of the buttons below it
     float attemptsNotice = 0;    ///< height of the lines below the attempts in the last frame
-    float replayHeight = 0;      ///< height of the replay's panel in the last frame; 0: not drawn yet
+    float playHeight = 0;        ///< height of a replay's or demonstration's panel in the last frame; 0: not drawn yet
     /// Last place of each control, by name such as "simulation.viscosity". Entries stay from frame to frame, so that
     /// noting a place allocates nothing.
     std::map<std::string, Place, std::less<>> places;

@@ -22,8 +22,9 @@ enum class SolidShape {
     rounded, ///< a box with round edges and corners
     bend,    ///< a rod of width 1 that begins at the origin along +z and turns by kBendAngle towards +x
     slab,    ///< a face to +y at y = 0 of many small rectangles, the smallest in its middle
+    chalk,   ///< a face to +y at y = 0 of ragged streaks along x, with gaps between them
 };
-constexpr size_t kSolidShapes = 11;
+constexpr size_t kSolidShapes = 12;
 
 constexpr float kTubeBore = 0.76f;
 constexpr float kCupMouth = 0.72f;

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace meltpool {
@@ -161,6 +162,30 @@ void addSlab(Meshes& out) {
     addGrid(out, kCells, kCells, [&](int column, int row) { return Vertex{{line(column), 0, -line(row)}, {0, 1, 0}}; });
 }
 
+/// Returns a fixed number 0..1 that looks random.
+float scatter(int lane, int place) {
+    const float wave =
+        43758.5453f * std::sin(12.9898f * static_cast<float>(lane + 1) + 4.1414f * static_cast<float>(place));
+    return wave - std::floor(wave);
+}
+
+/// A stick of chalk leaves streaks: each begins, ends and narrows where the stick did not touch.
+void addChalk(Meshes& out) {
+    constexpr int kLanes = 6, kPlaces = 26;
+    constexpr float kLane = 1.0f / kLanes;
+    for (int lane = 0; lane < kLanes; ++lane) {
+        const float begin = -0.5f + 0.05f * scatter(lane, 91), end = 0.5f - 0.08f * scatter(lane, 92);
+        const float middle = 0.9f * ((static_cast<float>(lane) + 0.5f) * kLane - 0.5f);
+        addGrid(out, kPlaces, 1, [&](int place, int side) {
+            const float share = static_cast<float>(place) / kPlaces;
+            const float tip = std::min({1.0f, 0.4f + 8 * share, 0.4f + 8 * (1 - share)}); // narrower at both ends
+            const float half = kLane * tip * (0.3f + 0.4f * scatter(lane, 2 * place + side));
+            const float across = middle + (side == 0 ? half : -half);
+            return Vertex{{begin + (end - begin) * share, 0, across}, {0, 1, 0}};
+        });
+    }
+}
+
 } // namespace
 
 SolidMeshes makeSolidMeshes() {
@@ -181,6 +206,7 @@ SolidMeshes makeSolidMeshes() {
     add(SolidShape::rounded, addRounded);
     add(SolidShape::bend, addBend);
     add(SolidShape::slab, addSlab);
+    add(SolidShape::chalk, addChalk);
     return all;
 }
 

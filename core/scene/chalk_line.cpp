@@ -13,23 +13,25 @@ namespace {
 constexpr glm::vec3 kSoapstone(0.80F, 0.82F, 0.78F);
 constexpr float kStroke = 2e-3F;      ///< m, length of a stroke: a weld wipes whole strokes off
 constexpr float kWidth = 1.1e-3F;     ///< m, of a sharpened stick's line
-constexpr float kThickness = 0.7e-3F; ///< m, half of it below the face, whose surface is drawn as fine as its cells
+constexpr float kOver = 1.25F;        ///< of the length of pieces that lie over their neighbours' ragged ends
+constexpr float kLift = 0.1e-3F;      ///< m over the face, whose surface is drawn as fine as its cells
 constexpr float kEndMark = 16e-3F;    ///< m, length of the mark across either end
 constexpr float kCovered = 8e-3F;     ///< m of it in its middle, which the weld covers
 /// Widths of strokes that follow one another, in kWidth: a stick on rolled steel leaves no even line.
 constexpr std::array<float, 7> kUneven{1.0F, 0.82F, 1.08F, 0.9F, 1.12F, 0.78F, 0.96F};
 
-glm::mat4 strokeAt(const glm::vec3& middle, const glm::vec3& along, const glm::vec3& up, float length, float width) {
-    return {glm::vec4(along * length, 0), glm::vec4(up * kThickness, 0), glm::vec4(glm::cross(along, up) * width, 0),
-            glm::vec4(middle, 1)};
+/// Returns a stroke that lies on a face.
+Solid strokeAt(const glm::vec3& middle, const glm::vec3& along, const glm::vec3& up, float length, float width) {
+    const glm::mat4 place{glm::vec4(along * length, 0), glm::vec4(up * width, 0),
+                          glm::vec4(glm::cross(along, up) * width, 0), glm::vec4(middle + up * kLift, 1)};
+    return {SolidShape::chalk, place, kSoapstone, 0.0F};
 }
 
 } // namespace
 
 Solid chalkStroke(const glm::vec3& from, const glm::vec3& to, const glm::vec3& normal) {
     const float length = glm::distance(from, to);
-    return {SolidShape::box, strokeAt((from + to) / 2.0F, (to - from) / length, normal, length, kWidth), kSoapstone,
-            0.0F};
+    return strokeAt((from + to) / 2.0F, (to - from) / length, normal, length, kWidth);
 }
 
 ChalkLine::ChalkLine(const ChalkEnds& ends) {
@@ -39,18 +41,19 @@ ChalkLine::ChalkLine(const ChalkEnds& ends) {
     const glm::vec3 along = way / length, across = glm::cross(along, ends.up);
     const int count = static_cast<int>(std::round(length / kStroke));
     const float part = length / static_cast<float>(count);
-    const auto add = [&](const glm::mat4& place, float from, float to, bool stays = false) {
-        strokes_.push_back({{SolidShape::box, place, kSoapstone, 0.0F}, from, to, stays});
+    const auto add = [&](const Solid& stroke, float from, float to, bool stays = false) {
+        strokes_.push_back({stroke, from, to, stays});
     };
     for (int i = 0; i < count; ++i) {
         const float from = part * static_cast<float>(i);
         const float width = kWidth * kUneven[static_cast<size_t>(i) % kUneven.size()];
-        add(strokeAt(ends.from + along * (from + part / 2), along, ends.up, part, width), from, from + part);
+        const glm::vec3 drawn = i % 2 == 0 ? along : -along; // no two of them alike
+        add(strokeAt(ends.from + along * (from + part / 2), drawn, ends.up, kOver * part, width), from, from + part);
     }
     constexpr float kOuter = (kEndMark - kCovered) / 2;
     for (const float at : {0.0F, length}) {
         const glm::vec3 end = ends.from + along * at;
-        add(strokeAt(end, across, ends.up, kCovered, kWidth), at, at);
+        add(strokeAt(end, across, ends.up, kOver * kCovered, kWidth), at, at);
         for (const float side : {-1.0F, 1.0F})
             add(strokeAt(end + across * (side * (kCovered + kOuter) / 2), across, ends.up, kOuter, kWidth), at, at,
                 true);

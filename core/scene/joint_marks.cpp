@@ -14,8 +14,9 @@ namespace meltpool {
 namespace {
 
 constexpr float kNearest = 5e-3F;                      ///< m across the line, begin of a mark
-constexpr float kFarthest = 9e-3F;                     ///< m across the line, end of a mark
+constexpr float kFarthest = 12e-3F;                    ///< m across the line, end of a mark
 constexpr float kShortest = 0.5e-3F, kShorter = 1e-3F; ///< m, least mark, and step to a shorter one
+constexpr float kEdge = 1e-3F;                         ///< m across the line, from a mark to the face's edge
 constexpr float kAbove = 0.05F;                        ///< m over the joint, from where the faces are seen
 constexpr float kParallel = 1e-6F;
 
@@ -72,8 +73,8 @@ std::vector<Solid> jointMarks(std::span<const JointEnd> ends, std::span<const Wo
             const auto near = faceAt(end, side * kNearest, blocks);
             if (!near) continue;
             for (float reach = kFarthest; reach > kNearest + kShortest; reach -= kShorter) { // a face may be narrow
-                const auto far = faceAt(end, side * reach, blocks);
-                if (!far || near->normal != far->normal) continue;
+                const auto far = faceAt(end, side * reach, blocks), past = faceAt(end, side * (reach + kEdge), blocks);
+                if (!far || !past || near->normal != far->normal || near->normal != past->normal) continue;
                 marks.push_back(chalkStroke(near->place, far->place, near->normal));
                 break;
             }

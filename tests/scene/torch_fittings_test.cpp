@@ -64,7 +64,8 @@ TEST_CASE("every shape is closed, looks outwards and fits into its box") {
                     CHECK(glm::all(glm::lessThanEqual(glm::abs(at(corner).position), glm::vec3(0.50001f))));
             }
         }
-        if (static_cast<SolidShape>(shape) == SolidShape::slab) continue; // a slab has a single face
+        const auto kind = static_cast<SolidShape>(shape);
+        if (kind == SolidShape::slab || kind == SolidShape::chalk) continue; // these have a single face
         INFO("shape " << shape << ", volume " << volume);
         CHECK(volume > 0.05);
         CHECK(volume < (static_cast<SolidShape>(shape) == SolidShape::bend ? 3 : 1.0001));

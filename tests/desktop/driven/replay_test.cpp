@@ -48,6 +48,17 @@ TEST_CASE("a kept attempt plays in the window, goes to any moment, and ends in i
     window.waitFor("one's own attempt", [&](const json& s) { return shown(s).is_null() && s.at("page") == "running"; });
 }
 
+TEST_CASE("a demonstration is framed above its panel, one's own attempt again in the whole window") {
+    TrainerWindow window("demonstration-frame", {.lesson = "gmaw-bead"});
+    window.click("start.demonstration");
+    window.waitFor("the demonstration", [](const json& s) { return !s.at("demonstration").is_null(); });
+    const double far = window.settle().at("camera").at("distance");
+    window.takePicture("demonstration-frame");
+    window.key("F5");
+    window.waitFor("one's own attempt", [](const json& s) { return s.at("demonstration").is_null(); });
+    CHECK(window.settle().at("camera").at("distance") < far - 0.05);
+}
+
 TEST_CASE("a file that is no attempt ends the program with a sentence") {
     const fs::path folder = scratchFolder("replay-fault");
     writeTextFileAtomically(folder / "other.csv", "a,b\n1,2\n");

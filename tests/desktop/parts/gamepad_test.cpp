@@ -71,14 +71,15 @@ TEST_CASE("a gamepad's trigger welds as far as it is pulled, and only when it ha
 }
 
 TEST_CASE("a gamepad is read from a text as from its axes and buttons") {
-    const GamepadFrame pad = gamepadFromText("0.5 -1 0 0 -1 1 a left_shoulder up\n");
+    const GamepadFrame pad = gamepadFromText("0.5 -1 0 0 -1 1 a left_shoulder right_thumb up\n");
     CHECK(pad.connected);
     CHECK(pad.left.y > 0.8F); // away from the person
     CHECK(pad.rightTrigger == 1);
     CHECK(pad.leftTrigger == 0);
     CHECK(pad.leftShoulder);
     for (size_t i = 0; i < pad.buttons.size(); ++i)
-        CHECK(pad.buttons[i] == (i == size_t(GamepadButton::a) || i == size_t(GamepadButton::up)));
+        CHECK(pad.buttons[i] == (i == size_t(GamepadButton::a) || i == size_t(GamepadButton::rightThumb) ||
+                                 i == size_t(GamepadButton::up)));
     const GamepadFrame rest = gamepadFromText("no such button 7 x8");
     CHECK(rest.buttons.none());
     CHECK(rest.leftTrigger == 0);
@@ -110,6 +111,8 @@ TEST_CASE("a gamepad's buttons mean keys of the activity; the directional pad re
     CHECK(held.struck.empty());
     release();
     CHECK(press(GamepadButton::b, GamepadUse::torch).struck == std::vector{Key::backspace});
+    release();
+    CHECK(press(GamepadButton::rightThumb, GamepadUse::torch).struck == std::vector{Key::g});
     release();
     CHECK(press(GamepadButton::b, GamepadUse::cut).struck == std::vector{Key::x});
     release();

@@ -2,6 +2,7 @@
 #include "app/ui/key_guide.hpp"
 
 #include "app/desktop/desktop_actions.hpp"
+#include "app/ui/panels.hpp"
 #include "core/base/words.hpp"
 #include "tests/desktop/parts/drawn_interface.hpp"
 #include "tests/support/catch.hpp"
@@ -99,9 +100,33 @@ TEST_CASE("the bar names what the activity uses and nothing else") {
     CHECK(has(weld, Key::backspace));
 }
 
+TEST_CASE("a narrow bar leaves out whole figures, the last ones first") {
+    DrawnInterface interface;
+    const KeySituation replay{.lesson = true, .replay = true};
+    const auto drawn = [&](float width, std::string_view picture, const KeySituation& now) {
+        ImGui::GetIO().DisplaySize.x = width;
+        LessonFigures figures;
+        figures.picture = picture;
+        figures.particles = 24851;
+        return interface.draw([&](ui::Context& context) { statusBar(context, figures, now); });
+    };
+    for (const float width : {560.0F, 700.0F, 760.0F}) {
+        INFO(width << " points wide");
+        const int cut = drawn(width, "a picture of few pixels", replay);
+        CHECK(cut == drawn(width, {}, replay));
+    }
+    CHECK(drawn(3000, "a picture of few pixels", replay) > drawn(3000, {}, replay));
+}
+
 TEST_CASE("while a gamepad is in use the list names its parts, each with one effect") {
-    const KeySituation weld{
-        .lesson = true, .seam = true, .arc = true, .rod = true, .judges = true, .next = true, .redoes = true};
+    const KeySituation weld{.lesson = true,
+                            .seam = true,
+                            .arc = true,
+                            .rod = true,
+                            .weaves = true,
+                            .judges = true,
+                            .next = true,
+                            .redoes = true};
     std::vector<KeySituation> all(5, weld);
     all[1] = {.lesson = true, .demonstration = true};
     all[2] = {.lesson = true, .cut = true, .seam = true, .arc = true, .judges = true};
@@ -135,8 +160,9 @@ TEST_CASE("while a gamepad is in use the list names its parts, each with one eff
         }
     }
     const KeyGuide torch(all[0]);
-    for (const char* part : {"help.pad.left_stick", "help.pad.right_stick", "help.pad.left_trigger",
-                             "help.pad.right_trigger", "help.pad.shoulders", "help.pad.menu", "help.pad.view"}) {
+    for (const char* part :
+         {"help.pad.left_stick", "help.pad.right_stick", "help.pad.left_trigger", "help.pad.right_trigger",
+          "help.pad.right_thumb", "help.pad.shoulders", "help.pad.menu", "help.pad.view"}) {
         INFO(part);
         CHECK(
             std::any_of(torch.rows().begin(), torch.rows().end(), [&](const KeyRow& row) { return row.pad == part; }));

@@ -49,8 +49,11 @@ class Steered {
         input.held[static_cast<size_t>(key)] = true;
         input.pressed = input.struck = {key};
 #if IMGUI_VERSION_NUM >= 18700 // the window's backend tells of both
-        ImGui::GetIO().AddKeyEvent(key == Key::down ? ImGuiKey_DownArrow : ImGuiKey_Enter, true);
-        ImGui::GetIO().AddKeyEvent(key == Key::down ? ImGuiKey_DownArrow : ImGuiKey_Enter, false);
+        const ImGuiKey its = key == Key::down        ? ImGuiKey_DownArrow
+                             : key == Key::backspace ? ImGuiKey_Backspace
+                                                     : ImGuiKey_Enter;
+        ImGui::GetIO().AddKeyEvent(its, true);
+        ImGui::GetIO().AddKeyEvent(its, false);
 #endif
         frame(input);
         for (int i = 0; i < 3; ++i)
@@ -58,12 +61,14 @@ class Steered {
     }
     void frame(const InputFrame& input = {}) {
         steering_.press(steers, input);
-        interface_.draw([&](ui::Context& context) {
-            ui::parameterControl(context, "test", slider_, defaults_);
-            ui::toggle(context, "test.switch", "Switch", on);
-            presses += ui::button(context, "test.button", "Button") ? 1 : 0;
-            focus = context.focus;
-        });
+        interface_.draw([this](ui::Context& context) { content(context); });
+    }
+    /// Clicks the slider's value and types a text in its field.
+    void typeByMouse(std::string_view text) {
+        const auto drawn = [this](ui::Context& context) { content(context); };
+        interface_.click("test.slider.value", drawn);
+        frame();
+        interface_.type(text, drawn);
     }
 
     bool steers = true;
@@ -73,6 +78,13 @@ class Steered {
     std::string focus;
 
   private:
+    void content(ui::Context& context) {
+        ui::parameterControl(context, "test", slider_, defaults_);
+        ui::toggle(context, "test.switch", "Switch", on);
+        presses += ui::button(context, "test.button", "Button") ? 1 : 0;
+        focus = context.focus;
+    }
+
     DrawnInterface interface_;
     ui::Steering steering_;
     GamepadKeys keys_;
@@ -108,10 +120,22 @@ TEST_CASE("arrows choose controls and move the chosen slider; A presses the chos
 
 TEST_CASE("a tap between two frames counts, however slow they are") {
     Steered menus;
+    menus.press(GamepadButton::right);
+    menus.tap(Key::backspace); // the slider's first value
+    CHECK(menus.value == Approx(5));
     menus.tap(Key::down);
     CHECK(menus.focus == "test.switch");
     menus.tap(Key::enter);
     CHECK(menus.on);
+}
+
+TEST_CASE("a tap counts in a field that a click has opened, while keys lead the torch") {
+    Steered menus;
+    menus.steers = false;
+    menus.typeByMouse("7.5");
+    menus.tap(Key::backspace);
+    menus.tap(Key::enter);
+    CHECK(menus.value == Approx(7));
 }
 
 TEST_CASE("the torch's buttons press no control") {
