@@ -95,20 +95,25 @@ TEST_CASE("the desk's pause key stops a weld in the headset: metal and arc are o
     handGeometry();
     Weld weld("pause");
     TrainerProcess& trainer = weld.trainer;
-    REQUIRE(weld.strike());
-    REQUIRE(deskKey(trainer, "v", [](const json& row) { return paused(row) && !burns(row); }));
-    CHECK(
-        trainer.waitFor([](const json& row) { return notice("The lesson is paused")(row) && message("paused")(row); }));
-    const long long stopped = steps(trainer);
-    passFrames(trainer, 8);
-    CHECK(steps(trainer) == stopped);
+    // On a slow computer the arc may go out by itself between strike and pause; then it is struck again.
+    bool putOut = false;
+    for (int attempt = 0; attempt < 4 && !putOut; ++attempt) {
+        REQUIRE(weld.strike());
+        REQUIRE(deskKey(trainer, "v", [](const json& row) { return paused(row) && !burns(row); }));
+        CHECK(trainer.waitFor(
+            [](const json& row) { return notice("The lesson is paused")(row) && message("paused")(row); }));
+        const long long stopped = steps(trainer);
+        passFrames(trainer, 8);
+        CHECK(steps(trainer) == stopped);
 
-    // The trigger is still pulled: it goes on, but without an arc.
-    REQUIRE(deskKey(trainer, "v", [&](const json& row) { return !paused(row); }));
-    CHECK(trainer.waitFor(notice("The lesson was paused: the arc is out."))); // for some seconds only
-    CHECK(trainer.waitFor([&](const json& row) { return row["metal"]["steps"] > stopped + 10; }));
-    CHECK_FALSE(burns(trainer.now()));
-    weld.trainee.letGo(trainer);
+        // The trigger is still pulled: it goes on, but without an arc.
+        REQUIRE(deskKey(trainer, "v", [&](const json& row) { return !paused(row); }));
+        putOut = trainer.waitFor(notice("The lesson was paused: the arc is out.")); // for some seconds only
+        CHECK(trainer.waitFor([&](const json& row) { return row["metal"]["steps"] > stopped + 10; }));
+        CHECK_FALSE(burns(trainer.now()));
+        weld.trainee.letGo(trainer);
+    }
+    CHECK(putOut);
     CHECK(weld.strike());
 
     // The trainee pauses and goes on at the panel.
