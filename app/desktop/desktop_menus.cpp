@@ -70,7 +70,8 @@ MenuRequest DesktopMenus::draw(const DesktopMenuContent& content) {
     inLesson_ = running;
     if (!running) focused_ = false;
     occupied_ = ImGui::IsAnyItemActive() || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
-    ui::messageStack(context, content.messages, running ? coveredLeft() : 0, running ? coveredRight() : 0);
+    const bool welds = running && activities.allowed().ownTorch && session.run().arc().burns();
+    ui::messageStack(context, content.messages, running ? coveredLeft() : 0, running ? coveredRight() : 0, welds);
     return request;
 }
 
@@ -98,7 +99,9 @@ MenuRequest DesktopMenus::drawPanels(const DesktopMenuContent& content) {
     panels.result = panels.result && content.session.judges();
     if (!inLesson_ && coveredRight() > kMostCovered * static_cast<float>(window_.size().x)) panels.simulation = false;
     closeOverlapping();
-    if (panels.result)
+    // Where the result has no room beside the cut it waits for that to close.
+    const bool cut = content.session.picture().cut().shown();
+    if (panels.result && !(cut && coveredLeft() > kMostCovered * static_cast<float>(window_.size().x)))
         if (const MenuRequest asked =
                 ui::resultPanel(context, content.session, content.home, std::exchange(resultFromTop_, false));
             asked != MenuRequest::none)
