@@ -99,7 +99,7 @@ MenuRequest DesktopMenus::drawPanels(const DesktopMenuContent& content) {
     panels.result = panels.result && content.session.judges();
     if (!inLesson_ && coveredRight() > kMostCovered * static_cast<float>(window_.size().x)) panels.simulation = false;
     closeOverlapping();
-    // Where the result has no room beside the cut it waits for that to close.
+    // A result without room beside the cut waits for that to close.
     const bool cut = content.session.picture().cut().shown();
     if (panels.result && !(cut && coveredLeft() > kMostCovered * static_cast<float>(window_.size().x)))
         if (const MenuRequest asked =

@@ -40,8 +40,9 @@ class Pages {
     /// Welds by keys for some seconds of the metal's time, and has the weld judged.
     void weld(double seconds, const std::string& page) {
         window_.xdotool({"keydown", "space", "keydown", "Shift_L", "keydown", "Right"});
-        const auto after = [&](double s) {
-            return [s](const json& row) { return row.at("metal").at("time").get<double>() > s; };
+        const double begin = window_.settle().at("metal").at("time");
+        const auto after = [begin](double s) {
+            return [until = begin + s](const json& row) { return row.at("metal").at("time").get<double>() > until; };
         };
         window_.waitFor("half a weld", after(0.6 * seconds));
         if (!page.empty()) take(page);
