@@ -248,8 +248,8 @@ class Run {
     /// the reason.
     std::string arcWarning(const Judgement& judgement) const {
         const Lesson& lesson = trainer_.lesson();
-        if (lesson.model != LessonModel::Weld || judgement.arc.seconds > 0 || pulledSeconds_ < kTimeToLight ||
-            !hooks_.warnings.empty())
+        if (lesson.model != LessonModel::Weld || !isArcWelding(lesson.process) || judgement.arc.seconds > 0 ||
+            pulledSeconds_ < kTimeToLight || !hooks_.warnings.empty())
             return {};
         return phrase("run.never_lit", {{"lesson", quote(lesson.key)}});
     }

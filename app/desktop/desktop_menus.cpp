@@ -13,6 +13,8 @@ namespace {
 
 /// Share of the window; wider panels leave no room for the metal.
 constexpr float kMostCovered = 0.7f;
+/// Share of the window beside which a cut has no room for its figures.
+constexpr float kMostBesideCut = 0.5f;
 /// Share of its height that bars and a replay's or demonstration's panel may cover.
 constexpr float kMostPlayed = 0.8f;
 
@@ -23,7 +25,7 @@ ui::KeySituation keysOf(const DesktopMenuContent& content) {
 } // namespace
 
 float DesktopMenus::coveredLeft() {
-    if (panels.result && !panels.hidden) return ui::resultReach(interface_.context());
+    if (panels.result && !panels.hidden) return resultWaits_ ? 0 : ui::resultReach(interface_.context());
     const int open = static_cast<int>(panels.view) + static_cast<int>(panels.timings);
     return panels.hidden ? 0 : static_cast<float>(open) * ui::panelReach(interface_.context());
 }
@@ -52,6 +54,8 @@ MenuRequest DesktopMenus::draw(const DesktopMenuContent& content) {
     const Activities& activities = session.activities();
     const bool covers = activities.at(activities.demonstration) && ui::narrowerThan(context, 760);
     plays_ = session.running() && (activities.at(activities.replay) || activities.at(activities.demonstration));
+    resultWaits_ = session.picture().cut().shown() &&
+                   ui::resultReach(context) > kMostBesideCut * static_cast<float>(window_.size().x);
     machineWaits_ = session.picture().cut().shown() || activities.at(activities.replay) || covers;
     MenuRequest request = MenuRequest::none;
     if (content.home.open)
@@ -70,7 +74,8 @@ MenuRequest DesktopMenus::draw(const DesktopMenuContent& content) {
     inLesson_ = running;
     if (!running) focused_ = false;
     occupied_ = ImGui::IsAnyItemActive() || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
-    ui::messageStack(context, content.messages, running ? coveredLeft() : 0, running ? coveredRight() : 0);
+    const bool welds = running && activities.allowed().ownTorch && session.run().arc().burns();
+    ui::messageStack(context, content.messages, running ? coveredLeft() : 0, running ? coveredRight() : 0, welds);
     return request;
 }
 
@@ -98,7 +103,7 @@ MenuRequest DesktopMenus::drawPanels(const DesktopMenuContent& content) {
     panels.result = panels.result && content.session.judges();
     if (!inLesson_ && coveredRight() > kMostCovered * static_cast<float>(window_.size().x)) panels.simulation = false;
     closeOverlapping();
-    if (panels.result)
+    if (panels.result && !resultWaits_)
         if (const MenuRequest asked =
                 ui::resultPanel(context, content.session, content.home, std::exchange(resultFromTop_, false));
             asked != MenuRequest::none)

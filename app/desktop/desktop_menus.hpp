@@ -67,6 +67,7 @@ class DesktopMenus {
     /// The machine panel is not drawn: its values would change nothing (weld cut open, attempt replayed), or it has no
     /// room.
     bool machineWaits_ = false;
+    bool resultWaits_ = false;     ///< the result is not drawn until the cut, beside which it has no room, is closed
     bool machineBefore_ = false;   ///< the machine panel was open in the last frame
     bool plays_ = false;           ///< a replay's or demonstration's panel is shown
     bool focused_ = false;         ///< keys choose controls of the running lesson

@@ -69,10 +69,11 @@ void Interface::begin(float size, bool captured, bool byKeyboard, const InputFra
 
 void Interface::takeInput(InputFrame& input, bool captured) const {
     const ImGuiIO& io = ImGui::GetIO();
-    if (io.WantTextInput) {
+    if (io.WantTextInput) { // pictures and full screen have no other key
+        const auto typed = [](Key key) { return key < Key::f10; };
+        std::erase_if(input.pressed, typed);
+        std::erase_if(input.struck, typed);
         input.held.reset();
-        input.pressed.clear();
-        input.struck.clear();
     }
     if (!captured && io.WantCaptureMouse) {
         input.mouseMove = {0, 0};

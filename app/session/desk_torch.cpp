@@ -1,7 +1,6 @@
 #include "app/session/desk_torch.hpp"
 
 #include "core/training/lesson/lesson.hpp"
-#include "core/weld/torch/torch_moves.hpp"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -35,8 +34,9 @@ constexpr double kKeyRamp = 0.12;      // s in which the keys' speed changes
 constexpr float kSteepSeam = 0.4F;     // of the seam's direction on the screen, to the side
 constexpr double kStickAside = 0.5;    // share of a stick's push that counts as its error to the other side
 constexpr double kPointsPerMove = 100; // points of mouse travel per move of ControlParameters::torchMouse
-constexpr double kRodFeed = 4 * kMm;                        // m/s of the fingers while a rod is dipped
-constexpr double kRodTime = 0.15;                           // s from rest into the pool
+constexpr double kRodFeed = 4 * kMm;   // m/s of the fingers while a rod is dipped, without a demonstration
+constexpr double kRodShare = 0.5;      // of the time that it is dipped, to feed as much as the demonstration
+constexpr double kRodTime = 0.15;      // s from rest into the pool
 
 /// Ideal of a band in SI, or `otherwise`.
 double idealOf(const Lesson& lesson, TechniqueQuantity quantity, double otherwise) {
@@ -124,6 +124,8 @@ void DeskTorch::begin(const Lesson& lesson) {
     keyWays_ = glm::dmat2(0);
     guided_ = aside_ = false;
     weave_.begin(lesson.torch);
+    hold_ = lesson.torch.rod().value_or(RodHold{});
+    hold_.feed = hold_.feed > 0 ? hold_.feed / kRodShare : kRodFeed;
     led_.reset();
 }
 
@@ -290,11 +292,11 @@ TorchSample DeskTorch::sampleOf(const DeskPose& pose, float burntOff, double swi
 }
 
 RodSample DeskTorch::rodOf(const TorchSample& torch, const DeskPose& pose, const SeamFrame& frame) const {
-    RodHold hold;
+    RodHold hold = hold_;
     hold.travel = glm::vec3(frame.tangent);
     hold.up = glm::vec3(frame.up);
     hold.below = pose.distance + rise_;
-    hold.feed = pose.dip > 0.5 ? kRodFeed : 0;
+    if (pose.dip <= 0.5) hold.feed = 0;
     return hold.at(torch.tip, between(hold.rest, -hold.depth, pose.dip));
 }
 

@@ -7,6 +7,7 @@
 #include "core/training/judging/seam.hpp"
 #include "core/training/judging/technique.hpp"
 #include "core/weld/torch/hand_tremor.hpp"
+#include "core/weld/torch/torch_moves.hpp"
 #include "core/weld/torch/torch_sample.hpp"
 
 #include <glm/mat2x2.hpp>
@@ -103,6 +104,7 @@ class DeskTorch {
     bool guided_ = false;
     bool aside_ = false; ///< see putAside()
     DeskWeave weave_;
+    RodHold hold_;    ///< the demonstration's hold of the rod; its feed is that of a dipped one
     QuantitySet led_; ///< quantities that the hand has led while it welded
     DeskPose wanted_; ///< target that the hand sets
     DeskPose held_;   ///< pose at the last step

@@ -52,6 +52,10 @@ void LessonPicture::placeCamera(Controls& controls) {
 }
 
 void LessonPicture::frameCamera(Controls& controls, const CoveredEdges& covered, float aspect) {
+    constexpr float kNames = 0.03F; // of the picture's height: a board's names stand above and below it
+    covered_ = covered;
+    covered_.bottom += kNames;
+    covered_.top += kNames;
     // Under a person's arc the picture stays; a replay begins with its arc.
     const bool welds = source_.run.arc().burns() && source_.activities.allowed().ownTorch;
     if (!welds) startCamera_.frame(controls, covered, aspect, !torchAside());
@@ -142,8 +146,10 @@ DeskPicture LessonPicture::atDesk(const Controls& controls, float aspect, const 
     view.eyeToClip[2][0] -= shift.x; // clip x over w, and w is -z in the eye
     view.eyeToClip[2][1] -= shift.y;
     lookThroughTable(scene, view);
-    scene.ghost = ghostMarkers(scene, view);
-    scene.markers = cueMarkers(scene, view);
+    View free = view; // signs beside the work avoid the panels
+    free.eyeToClip = covered_.uncovered() * view.eyeToClip;
+    scene.ghost = ghostMarkers(scene, free);
+    scene.markers = cueMarkers(scene, free);
     if (!scene.markers.empty()) picture.boardMarkers = source_.activities.attempt.cues().boardMarkers();
     nameCues(scene, view);
     return picture;

@@ -123,6 +123,7 @@ class LessonPicture {
     double sinceSeen_ = 0; ///< s of real time since the last picture
     std::vector<NamedCue> namedCues_;
     StartCamera startCamera_;
+    CoveredEdges covered_; ///< of the window, for signs that avoid the panels
     CutView cut_;
     OrbitCamera cameraBeforeCut_;
     Mode modeBeforeCut_ = Mode::interact;

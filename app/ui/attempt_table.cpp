@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cfloat>
 #include <cstdio>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace meltpool::ui {
 
@@ -68,7 +71,10 @@ void cellText(Context& context, const Layout& layout, size_t column, ImVec2 row,
                       row.y + layout.rowHeight};
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.PushClipRect(low, high, true);
-    draw.AddText(layout.font, size, {low.x, low.y + (layout.rowHeight - size) / 2}, tint, text);
+    const bool fits = layout.font->CalcTextSizeA(size, FLT_MAX, 0, text).x <= high.x - low.x;
+    const auto cut = fits ? std::vector<std::string>() : wholeWords(*layout.font, size, text, high.x - low.x, 1);
+    draw.AddText(layout.font, size, {low.x, low.y + (layout.rowHeight - size) / 2}, tint,
+                 cut.empty() ? text : cut.front().c_str());
     draw.PopClipRect();
 }
 
@@ -249,10 +255,7 @@ MenuRequest rowsPart(Context& context, ReplayList& list, const std::vector<size_
 void askingPart(Context& context, ReplayList& list, size_t index) {
     const ReplayEntry& entry = list.entries()[index];
     if (list.asking == ReplayList::Asking::removal) {
-        ImGui::PushTextWrapPos(0);
-        ImGui::TextUnformatted(
-            phrase("attempts.question", {{"lesson", entry.lessonTitle}, {"date", entry.when}}).c_str());
-        ImGui::PopTextWrapPos();
+        wrappedText(phrase("attempts.question", {{"lesson", entry.lessonTitle}, {"date", entry.when}}));
         ButtonRow row(context);
         const bool yes = row.add("home.attempts.delete.yes", phrase("attempts.delete_yes").c_str());
         const bool no = row.add("home.attempts.delete.no", phrase("attempts.delete_no").c_str());

@@ -279,7 +279,8 @@ void statusBar(Context& context, const LessonFigures& figures, const KeySituatio
     for (const KeyRow& row : guide.rows())
         if (first <= 0) first = hintWidth(context, row);
     const float screen = ImGui::GetIO().DisplaySize.x, edge = context.points(16);
-    const ShortText text = fitting(figuresText(figures), screen - 2 * edge - first);
+    // A weld that is cut open rests, and so does the torch.
+    const ShortText text = now.cut ? ShortText() : fitting(figuresText(figures), screen - 2 * edge - first);
     const float right = std::max(screen - ImGui::CalcTextSize(text.c_str()).x - edge, edge);
     for (const KeyRow& row : guide.rows()) {
         const float need = hintWidth(context, row);
@@ -293,8 +294,9 @@ void statusBar(Context& context, const LessonFigures& figures, const KeySituatio
     ImGui::End();
 }
 
-void messageStack(Context& context, Messages& messages, float left, float right) {
-    if (messages.shown().empty()) return;
+void messageStack(Context& context, Messages& messages, float left, float right, bool welds) {
+    constexpr float kLow = 400; // points: a message would cover the arc
+    if (messages.shown().empty() || (welds && lowerThan(context, kLow))) return;
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     // Messages lie over the panels if those leave too little room.
     const bool over = screen.x - left - right < context.points(260);

@@ -20,9 +20,7 @@ constexpr std::array<float, 3> kColumns{0.6f, 0.8f, 1};
 
 void tinted(std::string_view text, ImU32 tint) {
     ImGui::PushStyleColor(ImGuiCol_Text, tint);
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(text.data(), text.data() + text.size());
-    ImGui::PopTextWrapPos();
+    wrappedText(text);
     ImGui::PopStyleColor();
 }
 

@@ -185,14 +185,13 @@ void KeyGuide::addTorch(const KeySituation& now) {
 
 void KeyGuide::addWeld(const KeySituation& now) {
     constexpr KeyHeading kHere = KeyHeading::weld;
+    if (now.cut && now.judges) add(keys(kHere, {Key::x}, "help.close_the_cut", "bar.hint.close_the_cut"));
     if (now.seam || now.source || now.looking)
         add(keys(kHere, {Key::v}, now.looking ? "help.go_on" : "help.pause_and_look_around",
                  now.looking ? "bar.hint.work" : "bar.hint.look_around"));
     if (!now.demonstration && !now.replay) add(keys(kHere, {Key::f5}, "help.new_attempt"));
     if (now.judges) add(keys(kHere, {Key::j}, "help.judge_the_weld", now.cut ? "" : "bar.hint.judge"));
-    if (now.judges)
-        add(keys(kHere, {Key::x}, now.cut ? "help.close_the_cut" : "help.cut_the_weld_open",
-                 now.cut ? "bar.hint.close_the_cut" : ""));
+    if (now.judges && !now.cut) add(keys(kHere, {Key::x}, "help.cut_the_weld_open"));
     if (now.next) add(keys(kHere, {Key::enter}, "help.next_lesson", now.cut ? "" : "bar.hint.next_lesson"));
     if (now.fadedCues)
         add(keys(kHere, {Key::k}, now.showsFadedCues ? "help.hide_cues_again" : "help.show_hidden_cues"));

@@ -264,8 +264,12 @@ void settingsOverlay(Context& context, bool& open, std::span<const ParameterSect
     const ImVec2 start = ImGui::GetCursorPos();
     ImGui::SetCursorPosX(start.x + ImGui::GetContentRegionAvail().x - close);
     if (button(context, "settings.close", phrase("help.close").c_str(), ButtonKind::main, 110)) open = false;
+    const float below = ImGui::GetCursorPosY();
     ImGui::SetCursorPos(start);
-    panelTitle(context, phrase("home.settings").c_str(), phrase("home.settings_text").c_str());
+    strongText(context, phrase("home.settings"));
+    ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), below));
+    quietText(context, phrase("home.settings_text"));
+    ImGui::Dummy({0, context.points(4)});
     for (const Group& group : kGroups)
         if (const ParameterSection* section = findSection(sections, group.section)) drawGroup(context, *section, group);
     ImGui::End();

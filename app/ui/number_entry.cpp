@@ -64,9 +64,7 @@ std::optional<double> NumberEntry::draw(const NumberRange& range) {
 void NumberEntry::drawRefusal(Context& context, std::string_view name, std::string_view allowed) const {
     if (!refused(name)) return;
     ImGui::PushStyleColor(ImGuiCol_Text, colour::kWarning);
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(phrase("control.refused", {{"text", refusedText_}, {"allowed", allowed}}).c_str());
-    ImGui::PopTextWrapPos();
+    wrappedText(phrase("control.refused", {{"text", refusedText_}, {"allowed", allowed}}));
     ImGui::PopStyleColor();
     markItem(context, ShortText{name, ".refused"});
 }

@@ -115,7 +115,8 @@ void questionPart(Context& context, Question& question);
 /// Draws the help page: all keys for what the person does now.
 void helpOverlay(Context& context, bool& open, const KeySituation& now);
 /// Draws the messages at the top. `left`, `right`: width covered by panels there, points. A click hides a message.
-void messageStack(Context& context, Messages& messages, float left, float right);
+/// `welds`: the person welds; in a low window the messages, which would cover the arc, wait meanwhile.
+void messageStack(Context& context, Messages& messages, float left, float right, bool welds);
 /// Draws the colour scale of the temperature displays; `colours` is LookParameters::colours. `left`: width covered by
 /// panels at the left, points.
 void temperatureScale(Context& context, int colours, const TemperatureMeaning& meaning, float left);

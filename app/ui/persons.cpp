@@ -28,9 +28,7 @@ bool nameField(Context& context, WhoWelds& who) {
     if (pressed || entered) taken = who.takeTyped();
     if (!who.refusal().empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, colour::kWarning);
-        ImGui::PushTextWrapPos(0);
-        ImGui::TextUnformatted(who.refusal().c_str());
-        ImGui::PopTextWrapPos();
+        wrappedText(who.refusal());
         ImGui::PopStyleColor();
         markItem(context, "persons.refusal");
     }

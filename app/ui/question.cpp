@@ -7,9 +7,7 @@
 namespace meltpool::ui {
 
 void questionPart(Context& context, Question& question) {
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(question.text.c_str());
-    ImGui::PopTextWrapPos();
+    wrappedText(question.text);
     ImGui::Dummy({0, context.points(6)});
     for (size_t i = 0; i < question.answers.size(); ++i) {
         const std::string place = "question." + std::to_string(i);

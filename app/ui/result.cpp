@@ -33,9 +33,7 @@ ImU32 tintOf(RowState state) {
 
 void wrapped(const std::string& text, ImU32 tint = colour::kText) {
     ImGui::PushStyleColor(ImGuiCol_Text, tint);
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(text.c_str(), text.c_str() + text.size());
-    ImGui::PopTextWrapPos();
+    wrappedText(text);
     ImGui::PopStyleColor();
 }
 

@@ -109,8 +109,8 @@ void introduction(Context& context, const Lesson& lesson, Home& home) {
     ImGui::BeginGroup();
     ImGui::PushTextWrapPos(0);
     strongText(context, lesson.title);
-    ImGui::TextUnformatted(lesson.text.empty() ? phrase("start.free_task").c_str() : lesson.text.c_str());
     ImGui::PopTextWrapPos();
+    wrappedText(lesson.text.empty() ? phrase("start.free_task") : lesson.text);
     if (const std::string name = home.who.name(); !name.empty())
         quietText(context, phrase("persons.welder", {{"name", name}}));
     if (const CataloguedLesson* listed = home.find(lesson)) quietText(context, home.standing(*listed));

@@ -116,9 +116,7 @@ void bendPart(Context& context, const BendTest& test) {
         ImGui::PushStyleColor(ImGuiCol_Text, good  ? IM_COL32(134, 214, 140, 255)
                                              : bad ? IM_COL32(255, 138, 120, 255)
                                                    : colour::kWarning);
-        ImGui::PushTextWrapPos(0);
-        ImGui::TextUnformatted(bendSentence(strap).c_str());
-        ImGui::PopTextWrapPos();
+        wrappedText(bendSentence(strap));
         ImGui::PopStyleColor();
         drawSheet(context, drawBend(strap, test));
         markItem(context, "result.bend");

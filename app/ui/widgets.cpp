@@ -104,6 +104,18 @@ void putTooltipBeside(Context& context) {
                             {atRight ? 0.0f : 1.0f, upper ? 0.0f : 1.0f});
 }
 
+/// Returns the end of the line that begins at `at`: between two words if one fits.
+const char* lineEnd(const char* at, const char* end, float room) {
+    const float scale = ImGui::GetFontSize() / loadedSize(*ImGui::GetFont());
+    const char* const wrapped = ImGui::GetFont()->CalcWordWrapPositionA(scale, at, end, room);
+    if (wrapped >= end) return end;
+    if (wrapped == at) return at + 1; // no room for a letter
+    const char* word = wrapped;
+    while (word > at && *word != ' ')
+        --word;
+    return word > at ? word : wrapped;
+}
+
 } // namespace
 
 void tooltip(Context& context, std::string_view text) {
@@ -115,16 +127,32 @@ void tooltip(Context& context, std::string_view text) {
     else if (byKeys)
         putTooltipBeside(context);
     ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(std::min(context.points(kTooltipWidth), ImGui::GetIO().DisplaySize.x - context.points(40)));
-    ImGui::TextUnformatted(text.data(), text.data() + text.size());
-    ImGui::PopTextWrapPos();
+    wrappedText(text, std::min(context.points(kTooltipWidth), ImGui::GetIO().DisplaySize.x - context.points(40)));
     ImGui::EndTooltip();
+}
+
+void wrappedText(std::string_view text, float room) {
+    if (room <= 0) room = ImGui::GetContentRegionAvail().x;
+    const char *at = text.data(), *const end = at + text.size();
+    const ImVec2 between = ImGui::GetStyle().ItemSpacing;
+    ImGui::BeginGroup();
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {between.x, 0});
+    do {
+        const char* const line = std::find(at, end, '\n');
+        const char* stop = lineEnd(at, line, room);
+        ImGui::TextUnformatted(at, stop);
+        at = stop < line ? stop : std::min(line + 1, end);
+        while (at < line && *at == ' ')
+            ++at;
+    } while (at < end);
+    ImGui::PopStyleVar();
+    ImGui::EndGroup();
 }
 
 void quietText(Context& context, std::string_view text) {
     ImGui::PushFont(context.fonts.small);
     ImGui::PushStyleColor(ImGuiCol_Text, colour::kQuiet);
-    ImGui::TextWrapped("%.*s", static_cast<int>(text.size()), text.data());
+    wrappedText(text);
     ImGui::PopStyleColor();
     ImGui::PopFont();
 }

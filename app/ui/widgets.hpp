@@ -121,6 +121,9 @@ void fillRounded(ImDrawList& draw, ImVec2 low, ImVec2 high, ImU32 tint, float ra
                  ImDrawFlags corners = ImDrawFlags_RoundCornersAll);
 void outlineRounded(ImDrawList& draw, ImVec2 low, ImVec2 high, ImU32 tint, float radius);
 
+/// Draws a text in as many lines as it needs, `room` wide; 0: as wide as the window. It is broken between words, while
+/// Dear ImGui would break a number at its dot.
+void wrappedText(std::string_view text, float room = 0);
 void quietText(Context& context, std::string_view text);
 /// Draws one line of the text, cut off at the window's end; all of it while the mouse points at it.
 void quietLine(Context& context, std::string_view text);

@@ -44,6 +44,17 @@ struct Limits {
 
 } // namespace
 
+glm::mat4 CoveredEdges::uncovered() const {
+    const float width = 1 - left - right, height = 1 - bottom - top;
+    glm::mat4 turn(1);
+    if (width <= 0 || height <= 0) return turn;
+    turn[0][0] = 1 / width;
+    turn[1][1] = 1 / height;
+    turn[3][0] = -shift() / width;
+    turn[3][1] = -lift() / height;
+    return turn;
+}
+
 OrbitCamera framed(const OrbitCamera& wanted, const Lens& lens, float aspect, const CoveredEdges& covered,
                    std::span<const glm::vec3> points) {
     if (points.empty() || covered.left + covered.right >= 1 || covered.bottom + covered.top >= 1) return wanted;

@@ -18,6 +18,9 @@ struct CoveredEdges {
     float shift() const { return left - right; }
     /// Distance of that middle above the picture's, as a share of half its height.
     float lift() const { return bottom - top; }
+    /// Turns clip space of the picture into one whose whole extent is the uncovered part; the picture's own if nothing
+    /// is uncovered.
+    glm::mat4 uncovered() const;
 };
 
 /// Returns the camera that looks in the direction of `wanted` and has all `points` (world) in the uncovered part. It

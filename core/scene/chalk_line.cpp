@@ -13,6 +13,7 @@ namespace {
 constexpr glm::vec3 kSoapstone(0.80F, 0.82F, 0.78F);
 constexpr float kStroke = 2e-3F;      ///< m, length of a stroke: a weld wipes whole strokes off
 constexpr float kWidth = 1.1e-3F;     ///< m, of a sharpened stick's line
+constexpr float kSlender = 5;         ///< least length of a single stroke in its widths
 constexpr float kOver = 1.25F;        ///< of the length of pieces that lie over their neighbours' ragged ends
 constexpr float kLift = 0.1e-3F;      ///< m over the face, whose surface is drawn as fine as its cells
 constexpr float kEndMark = 16e-3F;    ///< m, length of the mark across either end
@@ -31,7 +32,7 @@ Solid strokeAt(const glm::vec3& middle, const glm::vec3& along, const glm::vec3&
 
 Solid chalkStroke(const glm::vec3& from, const glm::vec3& to, const glm::vec3& normal) {
     const float length = glm::distance(from, to);
-    return strokeAt((from + to) / 2.0F, (to - from) / length, normal, length, kWidth);
+    return strokeAt((from + to) / 2.0F, (to - from) / length, normal, length, std::min(kWidth, length / kSlender));
 }
 
 ChalkLine::ChalkLine(const ChalkEnds& ends) {

@@ -99,6 +99,12 @@ TEST_CASE("a run that can weld nothing says so on the terminal and in its result
     CHECK(high.code == 0);
     CHECK_THAT(high.errors, containsText("meltpool: warning: The arc of 'gmaw-bead' was never lit"));
     CHECK_THAT(resultIn(folder / "high").at("warnings")[0].get<std::string>(), containsText("never lit"));
+
+    // A soldering iron has no arc.
+    const test::Outcome iron = runMeltpool("run solder-joint --seconds 1.5 --size 160x120 --pictures 0 --out '" +
+                                           (folder / "iron").string() + "'");
+    CHECK(iron.code == 0);
+    CHECK(iron.errors.find("never lit") == std::string::npos);
 }
 
 TEST_CASE("a lesson that leaves something out is warned of where its values are listed", "[app]") {

@@ -43,4 +43,16 @@ TEST_CASE("a camera that shows all points stays; others move aside first, and aw
     }
 }
 
+TEST_CASE("the uncovered part of a picture is the whole of its own clip space") {
+    const CoveredEdges covered{0.1f, 0.3f, 0.25f, 0.05f};
+    const glm::vec4 low = covered.uncovered() * (2.0f * glm::vec4(-1 + 2 * 0.1f, -1 + 2 * 0.25f, 0, 1));
+    CHECK(low.x / low.w == Approx(-1));
+    CHECK(low.y / low.w == Approx(-1));
+    const glm::vec4 high = covered.uncovered() * glm::vec4(1 - 2 * 0.3f, 1 - 2 * 0.05f, 0.5f, 1);
+    CHECK(high.x == Approx(1));
+    CHECK(high.y == Approx(1));
+    CHECK(high.z == 0.5f);
+    CHECK(CoveredEdges{0.5f, 0.5f, 0, 0}.uncovered() == glm::mat4(1)); // nothing is uncovered
+}
+
 } // namespace meltpool

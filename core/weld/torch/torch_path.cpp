@@ -63,6 +63,12 @@ std::optional<Weave> TorchPath::weave() const {
     return std::nullopt;
 }
 
+std::optional<RodHold> TorchPath::rod() const {
+    for (const TorchMove& move : moves_)
+        if (move.rod) return move.rod;
+    return std::nullopt;
+}
+
 TorchSample TorchPath::sample(double time) const {
     TorchSample result;
     result.time = time;

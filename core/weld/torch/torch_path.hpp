@@ -39,6 +39,9 @@ class TorchPath {
     /// Returns the first weave of the authored form; nothing for a path without one and for the recorded form.
     std::optional<Weave> weave() const;
 
+    /// Returns the hold of the rod in the authored form; nothing for a path without one and for the recorded form.
+    std::optional<RodHold> rod() const;
+
     /// Returns the time of the last moment, s; 0 for an empty path.
     double duration() const;
     /// Returns the samples of the recorded form, as they were read; empty for the authored one.

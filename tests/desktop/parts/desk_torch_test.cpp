@@ -381,6 +381,16 @@ TEST_CASE(
 
     CHECK_FALSE(Desk("gtaw-bead").torch.hasRod()); // a lesson without a rod
 
+    // Dipped half of the time, the wire feeds as the demonstration's does, and rests where that rests.
+    Desk solder("solder-joint");
+    const RodHold shown = solder.lesson.torch.rod().value();
+    solder.frame();
+    const auto end = [&] { return solder.last.rod->tip; };
+    const glm::vec3 resting = end();
+    solder.frames(20, dip);
+    CHECK(double(solder.last.rod->feed) == Approx(2 * shown.feed));
+    CHECK(double(glm::distance(resting, end())) == Approx(shown.rest + shown.depth).margin(0.7e-3));
+
     Desk stick("smaw-bead");
     CHECK_FALSE(stick.torch.hasRod());
     stick.frame();

@@ -115,6 +115,8 @@ TEST_CASE("a narrow bar leaves out whole figures, the last ones first") {
         const int cut = drawn(width, "a picture of few pixels", replay);
         CHECK(cut == drawn(width, {}, replay));
     }
+    CHECK(drawn(3000, "a picture of few pixels", {.lesson = true, .cut = true}) ==
+          drawn(3000, {}, {.lesson = true, .cut = true})); // the weld rests
     CHECK(drawn(3000, "a picture of few pixels", replay) > drawn(3000, {}, replay));
 }
 

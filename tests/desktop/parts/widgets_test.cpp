@@ -1,11 +1,13 @@
 // Words and tooltips of controls: no word is cut off, and a tooltip covers no neighbour of the control that keys chose.
 #include "app/ui/widgets.hpp"
 
+#include "app/ui/panels.hpp"
 #include "tests/desktop/parts/drawn_interface.hpp"
 #include "tests/support/catch.hpp"
 
 #include <algorithm>
 #include <cfloat>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -51,6 +53,35 @@ TEST_CASE("a text is broken at whole words, and what has no room is marked") {
         for (const std::string& line : two)
             CHECK(font.CalcTextSizeA(size, FLT_MAX, 0, line.c_str()).x <= 0.85f * whole);
     });
+}
+
+TEST_CASE("a wrapped text is broken between words, and no number at its dot") {
+    DrawnInterface interface;
+    interface.draw([&](ui::Context&) {
+        const auto wide = [](const char* text) { return ImGui::CalcTextSize(text).x; };
+        const auto lines = [](float room) {
+            ui::wrappedText("it went from 0.1 to 0.82 mm", room);
+            return std::lround(ImGui::GetItemRectSize().y / ImGui::GetTextLineHeight());
+        };
+        const float room = wide("it went from 0.1 to 0.8"); // Dear ImGui would put "0." into the first line
+        CHECK(lines(room) == 2);
+        CHECK(ImGui::GetItemRectSize().x == wide("it went from 0.1 to"));
+        CHECK(lines(wide("it went from 0.1 to 0.82 mm") + 1) == 1);
+    });
+}
+
+TEST_CASE("messages wait while the person welds in a low window, where they would cover the arc") {
+    DrawnInterface interface;
+    Messages messages;
+    messages.warn("This computer is too slow.", 0, "slow");
+    const auto drawn = [&](float height, bool welds) {
+        ImGui::GetIO().DisplaySize.y = height;
+        const auto content = [&](ui::Context& context) { ui::messageStack(context, messages, 0, 0, welds); };
+        interface.draw(content); // a window of its content's size shows in the second frame
+        return interface.draw(content);
+    };
+    CHECK(drawn(300, true) < drawn(300, false));
+    CHECK(drawn(700, true) == drawn(700, false));
 }
 
 TEST_CASE("the tooltip of a control that keys have chosen lies beside the panel") {
