@@ -132,12 +132,12 @@ void takeAll(const std::string& name, VirtualDisplay& display) {
 
 } // namespace
 
-TEST_CASE("pictures of every page at text size 2 in a small window", "[.][pages]") {
+TEST_CASE("pictures of every page at text size 2 in a small window", "[long][pages]") {
     VirtualDisplay display(96, 800, 600);
     takeAll("800x600", display);
 }
 
-TEST_CASE("pictures of every page at text size 2 on a dense screen", "[.][pages]") {
+TEST_CASE("pictures of every page at text size 2 on a dense screen", "[long][pages]") {
     VirtualDisplay display(288, 3840, 2160);
     takeAll("3840x2160", display);
 }
