@@ -102,6 +102,7 @@ TEST_CASE("the desk's pause key stops a weld in the headset: metal and arc are o
         REQUIRE(deskKey(trainer, "v", [](const json& row) { return paused(row) && !burns(row); }));
         CHECK(trainer.waitFor(
             [](const json& row) { return notice("The lesson is paused")(row) && message("paused")(row); }));
+        passFrames(trainer, 2); // a step that had begun still ends
         const long long stopped = steps(trainer);
         passFrames(trainer, 8);
         CHECK(steps(trainer) == stopped);
