@@ -91,9 +91,21 @@ Judged excessiveAsymmetry(const WeldStation& s, const NominalWeld&, WeldKind) {
     return leg1 && leg2 ? inMm(other ? *leg2 - *leg1 : *leg1 - *leg2) : std::nullopt;
 }
 
+/// Throat that a drawing asks for: the height of the largest triangle with two equal sides along the plates that the
+/// fillet's section holds (nominal throat, ISO 2553). It reaches no farther along the plates than the shorter leg, so a
+/// convex bead with short legs has less of it than of metal above the corner.
+Value inscribedThroat(const WeldStation& s) {
+    Value throat = s.throat;
+    if (!throat) return throat;
+    for (const Value& leg : {placedLeg(s.leg1, s.edgeAngle1), placedLeg(s.leg2, s.edgeAngle2)})
+        if (leg) throat = std::min(*throat, *leg / std::numbers::sqrt2);
+    return throat;
+}
+
 Judged insufficientThroat(const WeldStation& s, const NominalWeld& nominal, WeldKind kind) {
-    const auto throat = nominal.throatOf(kind);
-    return s.throat && throat ? inMm(*throat - *s.throat) : std::nullopt;
+    const auto asked = nominal.throatOf(kind);
+    const Value throat = inscribedThroat(s);
+    return throat && asked ? inMm(*asked - *throat) : std::nullopt;
 }
 
 Judged excessiveThroat(const WeldStation& s, const NominalWeld& nominal, WeldKind kind) {

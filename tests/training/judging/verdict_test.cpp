@@ -30,7 +30,7 @@ WeldStation sound(WeldKind kind) {
     s.facesFused = 1;
     s.overlap1 = s.overlap2 = -1 * kMm;
     if (kind == WeldKind::fillet) {
-        s.leg1 = s.leg2 = 5.7 * kMm;
+        s.leg1 = s.leg2 = 6.6 * kMm;
         s.throat = 4.4 * kMm;
         s.convexity = 0.4 * kMm;
         s.edgeAngle1 = s.edgeAngle2 = 50 * kDegree;
@@ -138,7 +138,7 @@ TEST_CASE("each imperfection alone fails its own item", "[verdict]") {
         {butt, "excess_penetration", [](WeldStation& s) { s.excessPenetration = 4 * kMm; }},
         {fillet, "toe_angle", [](WeldStation& s) { s.edgeAngle1 = 97 * kDegree; }},
         {butt, "toe_angle", [](WeldStation& s) { s.edgeAngle2 = 87 * kDegree; }},
-        {fillet, "excessive_asymmetry", [](WeldStation& s) { s.leg1 = 9 * kMm; }},
+        {fillet, "excessive_asymmetry", [](WeldStation& s) { s.leg1 = 9.9 * kMm; }},
         {butt, "incompletely_filled_groove", [](WeldStation& s) { s.underfill = 1.2 * kMm; }},
         {butt, "root_concavity", [](WeldStation& s) { s.rootConcavity = 1.2 * kMm; }},
         {fillet, "insufficient_throat", [](WeldStation& s) { s.throat = 2.7 * kMm; }},
@@ -285,7 +285,7 @@ TEST_CASE("a toe that runs out flat has no place, so its leg is not judged", "[v
     // Legs that are longer in turns are not unequal on average: limit 2.6 mm, particles of 2 mm.
     WeldMeasures turns = weldOf(WeldKind::fillet, {}, 0, 49, 2e-3);
     for (size_t i = 0; i < turns.stations.size(); ++i)
-        turns.stations[i].leg1 = (5.7 + (i % 2 == 0 ? 4 : -4)) * kMm;
+        turns.stations[i].leg1 = (6.6 + (i % 2 == 0 ? 4 : -4)) * kMm;
     CHECK(stateOf(turns, c, "excessive_asymmetry") == VerdictState::notResolved);
 }
 
@@ -333,8 +333,11 @@ TEST_CASE("sizes are means over the weld, and as fine as their own scatter", "[v
     const auto throats = [&](double mean, double scatter, const NominalWeld& asked) {
         WeldMeasures weld = weldOf(fillet, {}, 0, 49, 1e-3);
         weld.stations.resize(15);
-        for (size_t i = 0; i < 15; ++i) // scatter to and fro around the mean of 14 of them
+        for (size_t i = 0; i < 15; ++i) {
+            weld.stations[i].leg1 = weld.stations[i].leg2 = 8 * kMm; // not these limit the size
+            // Scatter to and fro around the mean of 14 of them.
             weld.stations[i].throat = (mean + (i == 14 ? 0 : i % 2 == 0 ? scatter : -scatter)) * kMm;
+        }
         return itemOf(judge(summarise(weld.stations, fillet, weld.pitch, 1e-3), c, asked), "insufficient_throat");
     };
     // A leg of 6 mm is a throat of 4.24 mm. Short ones may lack 0.72 mm on a quarter of the weld: 0.18 mm on average.

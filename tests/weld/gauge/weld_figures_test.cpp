@@ -5,6 +5,7 @@
 #include "tests/support/catch.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 using namespace meltpool;
@@ -104,7 +105,7 @@ TEST_CASE("an imperfection is in millimetres on each side, with the width of its
     NominalWeld nominal;
     nominal.throat = 4e-3;
     nominal.linearMisalignment = 0.5e-3;
-    CHECK(judged("insufficient_throat", nominal)->value == Approx(0.5));
+    CHECK(judged("insufficient_throat", nominal)->value == Approx(4 - 4.5 / std::sqrt(2.0))); // by leg 2
     CHECK(judged("excessive_throat", nominal)->value == Approx(-0.5));
     CHECK(judged("linear_misalignment", nominal)->value == Approx(0.5));
     CHECK(findImperfection("crack")->judged == nullptr);
@@ -118,6 +119,22 @@ TEST_CASE("an imperfection is in millimetres on each side, with the width of its
     CHECK_FALSE(judgedOther("excessive_asymmetry", flat));
     flat.edgeAngle1 = 9 / 57.29578;
     CHECK(judged("excessive_asymmetry", nominal, flat));
+}
+
+TEST_CASE("a fillet has the throat of the largest triangle with equal sides in it", "[figures]") {
+    NominalWeld nominal;
+    nominal.throat = 4e-3;
+    WeldStation station = fillet(); // legs of 6 and 4.5 mm
+    station.throat = 3.8e-3;        // a convex face: the legs hold 4.5 / sqrt(2) = 3.18 mm
+    CHECK(judged("insufficient_throat", nominal, station)->value == Approx(4 - 4.5 / std::sqrt(2.0)));
+    CHECK(judged("excessive_throat", nominal, station)->value == Approx(-0.2)); // all the metal over the corner
+    station.throat = 3e-3;                                                      // hollow: the face limits it
+    CHECK(judged("insufficient_throat", nominal, station)->value == Approx(1));
+    station.throat = 3.8e-3;
+    station.edgeAngle2 = 8 / 57.29578; // this toe has no certain place, the other leg holds 4.24 mm
+    CHECK(judged("insufficient_throat", nominal, station)->value == Approx(0.2));
+    station.throat.reset();
+    CHECK_FALSE(judged("insufficient_throat", nominal, station));
 }
 
 TEST_CASE("an overlap counts under a toe that stands over the plate, and a flat toe rules it out", "[figures]") {
