@@ -17,8 +17,7 @@ WeldSurroundings surroundings(const ValidationCase& from, const ProcessSettings&
     WeldSurroundings around;
     around.ambient = ambient;
     around.fillerRoom =
-        static_cast<size_t>(kFillerSpare * equipmentOf(settings).wireRate() * seconds / std::pow(from.spacing, 3)) +
-        100;
+        static_cast<size_t>(kFillerSpare * caseFillerRate(from, settings) * seconds / std::pow(from.spacing, 3)) + 100;
     return around;
 }
 
@@ -31,7 +30,7 @@ ValidationCase withinThree(ValidationCase from) {
 } // namespace
 
 void requireWeldRoom(const ValidationCase& from, const ProcessSettings& settings, double volume, double seconds) {
-    const double count = (volume + equipmentOf(settings).wireRate() * seconds) / std::pow(from.spacing, 3);
+    const double count = (volume + caseFillerRate(from, settings) * seconds) / std::pow(from.spacing, 3);
     const double cells = 4 * count; // cells with the space around the workpiece
     requireCapacity(from, {cells, count, count, cells});
 }
@@ -42,7 +41,7 @@ CaseWeld::CaseWeld(const ValidationCase& from, gl::ShaderLibrary& shaders, const
       material_(from.material),
       weld_(shaders, material_, piece_, settings, surroundings(from, settings, ambient, seconds)),
       seconds_(seconds),
-      fed_(equipmentOf(settings).wireRate() > 0) {}
+      fed_(caseFillerRate(from, settings) > 0) {}
 
 void CaseWeld::run(const TorchPath& path, FunctionRef<bool(double)> watch, ValidationResult& result) {
     const double step = weld_.timeStep();

@@ -22,9 +22,8 @@ bool contains(const std::vector<std::string>& names, std::string_view name) {
     return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Throws if the row is not for wire, or not for the joint of the case.
+/// Throws if the row is not for the joint of the case.
 void requireJoint(TomlTable& table, const CaseKind& kind, const ChartRow& row) {
-    if (row.process != Gmaw::kName) table.fail("row", "is for " + row.process + "; expected a row for gmaw");
     if (!contains(row.joints, kind.name.substr(kKind.size())))
         table.fail("row", "is for another joint than " + std::string(kind.name));
 }
@@ -56,32 +55,47 @@ ChartDefaults chartDefaults(TomlTable& table, const CaseKind& kind) {
     const ChartRow row = findRow(table, table.text("row"));
     requireJoint(table, kind, row);
     constexpr double kMm = 1e-3, kMetresPerMinute = 1.0 / 60;
-    requireWithin(table, "wire_diameter_mm", row.diameter, kMm);
+    const bool wire = row.process == Gmaw::kName;
+    const char* const diameter = wire ? "wire_diameter_mm" : "electrode_diameter_mm";
+    requireWithin(table, diameter, row.diameter, kMm);
     requireWithin(table, "thickness_mm", row.thickness, kMm);
     const auto middle = [&](const char* key, const std::optional<ChartRange>& range, double unit) {
         if (range) values.numbers[key] = range->middle() / unit;
     };
     middle("thickness_mm", row.thickness, kMm);
     middle("gap_mm", row.gap, kMm);
-    if (row.diameter && row.diameter->least == row.diameter->most) middle("wire_diameter_mm", row.diameter, kMm);
-    middle("wire_feed_m_min", row.feed, kMetresPerMinute);
-    middle("voltage", row.voltage, 1);
+    if (row.diameter && row.diameter->least == row.diameter->most) middle(diameter, row.diameter, kMm);
+    middle("rod_diameter_mm", row.rod, kMm);
     middle("current_a", row.current, 1);
     middle("speed_mm_s", row.speed, kMm);
-    middle("ctwd_mm", row.tipDistance, kMm);
-    middle("leg_mm", row.leg, kMm);
-    if (!row.gases.empty()) values.words["gas"] = row.gases.front()->name;
+    if (row.leg) values.numbers["leg_mm"] = row.leg->least / kMm;
+    if (wire) {
+        middle("wire_feed_m_min", row.feed, kMetresPerMinute);
+        middle("voltage", row.voltage, 1);
+        middle("ctwd_mm", row.tipDistance, kMm);
+        if (!row.gases.empty()) values.words["gas"] = row.gases.front()->name;
+    }
+    values.words["process"] = row.process;
+    values.words["electrode"] = row.electrode;
     values.words["position"] = positionOf(row, kind);
     return values;
 }
 
+void checkElectrode(TomlTable& table, const ValidationCase& from) {
+    const auto names = smawElectrodes();
+    if (std::find(names.begin(), names.end(), from.word("electrode")) == names.end())
+        table.fail("electrode", "is " + quote(from.word("electrode")) + "; expected e6013, e7018 or e6010");
+    if (from.number("electrode_diameter_mm") <= 0)
+        table.fail("electrode_diameter_mm", "is missing; expected the diameter of the core in mm");
+}
+
 void checkChart(TomlTable& table, const ValidationCase& from) {
+    if (from.process == Smaw::kName) checkElectrode(table, from);
     const std::string& position = from.word("position");
     if (position.empty()) return;
-    const auto names = positionNames();
-    const auto found = std::find(names.begin(), names.end(), position);
+    const auto found = findPosition(position);
     const auto kind = static_cast<WorkpieceKind>(chartJoint(*from.kind));
-    if (found == names.end() || !positionFits(kind, static_cast<WeldPosition>(found - names.begin())))
+    if (!found || !positionFits(kind, *found))
         table.fail("position", "is " + quote(position) + "; expected one of " + fittingPositions(kind));
 }
 

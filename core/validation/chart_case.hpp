@@ -16,13 +16,13 @@ struct ChartDefaults {
     std::map<std::string, std::string, std::less<>> words;
 };
 
-/// Returns the values of the row that `row` names among the shipped charts: middles of its ranges, its first gas, and
-/// its first position unless the joint lies in one of them anyway. None without the key. Throws InputError for an
-/// unknown row, one of another joint than the kind's, one that is not for wire, and a wire or thickness that is not the
-/// row's.
+/// Returns the values of the row that `row` names among the shipped charts: middles of its ranges, the least leg that
+/// it calls for, its first gas, and its first position unless the joint lies in one of them anyway. None without the
+/// key. Throws InputError for an unknown row, one of another joint than the kind's, and a wire, electrode or thickness
+/// that is not the row's.
 ChartDefaults chartDefaults(TomlTable& table, const CaseKind& kind);
 
-/// Throws InputError for a position that the joint cannot have.
+/// Throws InputError for a position that the joint cannot have, and for smaw without a known electrode.
 void checkChart(TomlTable& table, const ValidationCase& from);
 
 /// Returns the joint of a kind of case: "chart_tee", "chart_lap" or "chart_butt".

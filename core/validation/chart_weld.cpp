@@ -2,6 +2,7 @@
 #include "core/validation/case_size.hpp"
 #include "core/validation/case_weld.hpp"
 #include "core/validation/chart_case.hpp"
+#include "core/validation/chart_torch.hpp"
 #include "core/weld/workpiece/position.hpp"
 #include "core/weld/workpiece/simulated_size.hpp"
 
@@ -17,7 +18,6 @@ namespace {
 constexpr float kMm = 1e-3F;
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kFreezing = 2;   // s after the arc
-constexpr double kStrikes = 0.25; // s at the start until the wire's arc has a pool
 constexpr double kRunIn = 5;      // mm of weld before the stretch that counts, and behind it
 constexpr double kBeyond = 5;     // mm of plate beyond the weld at each end
 constexpr float kAcross = 15;     // mm of plate on each side of the seam
@@ -26,23 +26,14 @@ constexpr float kAcross = 15;     // mm of plate on each side of the seam
 struct ChartWeld {
     ProcessSettings process;
     WorkpieceParameters joint;
-    TorchPose held;
-    double speed, half, aim, weave, frequency, ambient;
+    ChartHand hand;
+    double ambient;
 
-    explicit ChartWeld(const ValidationCase& from)
-        : process(caseProcess(from)),
-          speed(from.number("speed_mm_s") * from.number("speed_factor") * 1e-3),
-          half((from.number("seam_mm") / 2 + kRunIn) * 1e-3),
-          aim(from.number("aim_mm") * 1e-3),
-          weave(from.number("weave_mm") * 1e-3),
-          frequency(from.number("weave_hz")),
-          ambient(from.number("ambient_k")) {
+    explicit ChartWeld(const ValidationCase& from) : process(caseProcess(from)), ambient(from.number("ambient_k")) {
+        const double half = (from.number("seam_mm") / 2 + kRunIn) * 1e-3;
         joint.kind = chartJoint(*from.kind);
         const bool butt = joint.kind == static_cast<int>(WorkpieceKind::Butt);
-        const auto positions = positionNames();
-        if (!from.word("position").empty())
-            joint.position = static_cast<int>(std::find(positions.begin(), positions.end(), from.word("position")) -
-                                              positions.begin());
+        if (const auto position = findPosition(from.word("position"))) joint.position = static_cast<int>(*position);
         joint.spacingMm = static_cast<float>(from.spacing * 1e3);
         joint.lengthMm = wholeSpacings(2e3 * half + 2 * kBeyond, joint.spacingMm);
         joint.thicknessMm = static_cast<float>(from.number("thickness_mm"));
@@ -54,39 +45,42 @@ struct ChartWeld {
             joint.tackLengthMm = static_cast<float>(kBeyond + 2);
         }
         joint.temperatureC = static_cast<float>(ambient - 273.15);
-        held = {caseTorchHeight(from, process), (butt ? 90 : 45) * kDegree, from.number("travel_angle_deg") * kDegree};
+        const double speed = from.number("speed_mm_s") * from.number("speed_factor") * 1e-3;
+        hand.from = -half;
+        hand.to = half;
+        hand.travel = 2 * half / speed;
+        hand.aim = from.number("aim_mm") * 1e-3;
+        hand.held = {caseTorchHeight(from, process), (butt ? 90 : 45) * kDegree,
+                     from.number("travel_angle_deg") * kDegree};
+        hand.weave.width = from.number("weave_mm") * 1e-3;
+        hand.weave.frequency = from.number("weave_hz");
+        hand.follow = caseBurnOff(from, process);
+        if (holdsRod(process) && from.number("rod_diameter_mm") > 0) hand.rod = rodHold(from);
+    }
+
+    /// Holds the rod as the lessons do.
+    static RodHold rodHold(const ValidationCase& from) {
+        RodHold rod;
+        rod.below = from.number("arc_length_mm") * 1e-3;
+        rod.ahead = from.number("rod_ahead_mm") * 1e-3;
+        rod.frequency = from.number("rod_dips_hz");
+        rod.feed = from.number("rod_feed_mm_s") * 1e-3;
+        return rod;
     }
 
     /// Returns the stretch that is judged.
-    FaceStretch counted() const { return {-half + kRunIn * 1e-3, half - kRunIn * 1e-3}; }
+    FaceStretch counted() const { return {hand.from + kRunIn * 1e-3, hand.to - kRunIn * 1e-3}; }
 
-    double seconds() const { return kStrikes + 2 * half / speed; }
+    double seconds() const { return strikingSeconds(process) + hand.travel; }
 
-    /// Strikes, waits for a pool, and welds along the seam with the trigger pulled.
-    TorchPath path() const {
-        TorchMove run;
-        run.duration = kStrikes;
-        run.fromOrientation = run.toOrientation = heldOrientation(held.workAngle, held.travelAngle, {1, 0, 0});
-        const glm::vec3 back = run.fromOrientation * glm::vec3(0, 0, 1) * held.height;
-        const auto at = [&](double x) { return glm::vec3(static_cast<float>(x), 0, static_cast<float>(aim)) + back; };
-        run.from = run.to = at(-half);
-        run.trigger = 1;
-        TorchMove weld = run;
-        weld.begin = kStrikes;
-        weld.duration = 2 * half / speed;
-        weld.to = at(half);
-        if (weave > 0) {
-            weld.weaveSide = acrossSeam({1, 0, 0});
-            weld.weaveWidth = weave;
-            weld.weaveHalfSwings = static_cast<int>(std::lround(2 * frequency * weld.duration));
-        }
-        return TorchPath(std::vector{run, weld});
-    }
+    TorchPath path() const { return chartPath(hand, process); }
 
     NominalWeld nominal(const ValidationCase& from) const {
         NominalWeld nominal;
         nominal.thickness = static_cast<double>(simulatedWorkpiece(joint).thicknessMm) * 1e-3;
         if (from.number("leg_mm") > 0) nominal.leg = from.number("leg_mm") * 1e-3;
+        if (nominal.leg && joint.kind == static_cast<int>(WorkpieceKind::Lap)) // its edge has no room for a longer one
+            nominal.leg = std::min(*nominal.leg, nominal.thickness);
         return nominal;
     }
 
@@ -124,6 +118,9 @@ void compareMeans(const ValidationCase& from, const WeldMeasures& weld, Validati
     compare("excess_penetration_mm", mean.excessPenetration, 1e-3);
     compare("hole_mm", mean.hole, 1e-3);
     compare("penetration_mm", mean.penetration, 1e-3);
+    compare("toe_width_mm", mean.toeWidth, 1e-3);
+    compare("fused_width_mm", mean.fusedWidth, 1e-3);
+    compare("root_width_mm", mean.rootWidth, 1e-3);
 }
 
 /// Means over the middle of the weld: where the arc's heat lands and how warm the plates are before the liquid's edge.
@@ -135,7 +132,7 @@ class HeatWatch {
     /// Looks ten times a second, while the torch passes the middle half of the weld.
     void look(double time) {
         constexpr double kPause = 0.1, kFrom = 0.3, kTo = 0.8;
-        const double way = (time - kStrikes) / (chart_.seconds() - kStrikes);
+        const double way = 1 - (chart_.seconds() - time) / chart_.hand.travel;
         if (way < kFrom || way > kTo || time < next_) return;
         next_ = time + kPause;
         const auto sources = weld_.weld().process().sources();
@@ -145,7 +142,7 @@ class HeatWatch {
         const MetalLattice& lattice = weld_.weld().metal().state().lattice();
         const bool butt = chart_.joint.kind == static_cast<int>(WorkpieceKind::Butt);
         const ArcLanding landing = arcLanding(lattice, metal, sources[0], solidus_, butt);
-        const double place = -chart_.half + way * 2 * chart_.half;
+        const double place = std::lerp(chart_.hand.from, chart_.hand.to, way);
         const LineWarmth line = lineWarmth(lattice, metal, place - kLayers, place, kBeforeLine);
         const std::array<std::optional<double>, kCount> found{
             100 * (1 - static_cast<double>(sources[0].power) / arc.power),

@@ -74,18 +74,51 @@ double currentOfPower(double power) {
     return (std::sqrt(base * base + 4 * slope * power) - base) / (2 * slope);
 }
 
+void setTungsten(const ValidationCase& from, GtawSettings& gtaw) {
+    const double current = from.number("current_a");
+    gtaw.current = static_cast<float>(current > 0 ? current : currentOfPower(from.number("power_w")));
+    if (const double diameter = numberOrNone(from, "electrode_diameter_mm"); diameter > 0)
+        gtaw.electrodeDiameterMm = static_cast<float>(diameter);
+    if (const double rod = numberOrNone(from, "rod_diameter_mm"); rod > 0) gtaw.rodDiameterMm = static_cast<float>(rod);
+}
+
+void setElectrode(const ValidationCase& from, SmawSettings& smaw) {
+    const auto names = smawElectrodes();
+    smaw.current = static_cast<float>(from.number("current_a"));
+    smaw.electrode = static_cast<int>(std::find(names.begin(), names.end(), from.word("electrode")) - names.begin());
+    smaw.diameterMm = static_cast<float>(from.number("electrode_diameter_mm"));
+}
+
 } // namespace
+
+double numberOrNone(const ValidationCase& from, std::string_view key) {
+    const auto found = from.numbers.find(key);
+    return found == from.numbers.end() ? 0 : found->second;
+}
+
+double caseBurnOff(const ValidationCase& from, const ProcessSettings& process) {
+    if (from.process != Smaw::kName) return 0;
+    const SmawSettings& smaw = process.of<Smaw>();
+    return smawBurnOff(smaw.electrode, static_cast<double>(smaw.current), static_cast<double>(smaw.diameterMm) * 1e-3);
+}
+
+double caseFillerRate(const ValidationCase& from, const ProcessSettings& process) {
+    const double wire = equipmentOf(process).wireRate(), burnOff = caseBurnOff(from, process);
+    if (wire > 0) return wire;
+    const double speed = burnOff > 0 ? burnOff : numberOrNone(from, "rod_feed_mm_s") * 1e-3;
+    const double diameter = numberOrNone(from, burnOff > 0 ? "electrode_diameter_mm" : "rod_diameter_mm") * 1e-3;
+    return std::numbers::pi / 4 * diameter * diameter * speed;
+}
 
 ProcessSettings caseProcess(const ValidationCase& from) {
     ProcessSettings settings;
     if (hasWire(from)) {
         setWire(from, settings.choose<Gmaw>());
-        return settings;
+    } else if (from.process == Smaw::kName) {
+        setElectrode(from, settings.choose<Smaw>());
+    } else {
+        setTungsten(from, settings.choose<Gtaw>());
     }
-    GtawSettings& gtaw = settings.choose<Gtaw>();
-    const double current =
-        from.number("current_a") > 0 ? from.number("current_a") : currentOfPower(from.number("power_w"));
-    gtaw.current = static_cast<float>(current);
     return settings;
 }
 

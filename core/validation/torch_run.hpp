@@ -7,10 +7,20 @@
 
 namespace meltpool {
 
+/// Returns a number of the case; 0 if its kind has no such key.
+double numberOrNone(const ValidationCase& from, std::string_view key);
+
+/// Returns the speed (m/s) at which the case's covered electrode burns off; 0 for another process.
+double caseBurnOff(const ValidationCase& from, const ProcessSettings& process);
+
+/// Returns the filler (m³/s) of a wire, a covered electrode or a rod that the fingers feed.
+double caseFillerRate(const ValidationCase& from, const ProcessSettings& process);
+
 /// Returns the process for a case's keys `process`, `voltage`, `current_a`, `wire_diameter_mm`, `wire_feed_m_min`,
 /// `ctwd_mm` and `arc_length_mm`. A machine with wire and a given current receives the feed that melts at it, in a
 /// fillet above the metal that fills the corner. A case with only `power_w` gets a machine of that electric power:
-/// voltage over the computed current with wire, an arc of 3 mm without. Throws InputError if the keys do not make a
+/// voltage over the computed current with wire, an arc of 3 mm without. A chart's weld has `electrode`,
+/// `electrode_diameter_mm` and `rod_diameter_mm`, too. Throws InputError if the keys do not make a
 /// process.
 ProcessSettings caseProcess(const ValidationCase& from);
 

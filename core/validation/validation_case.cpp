@@ -183,6 +183,17 @@ Material readCaseMaterial(TomlTable& file, CaseMatter matter) {
     return m;
 }
 
+void readProcess(TomlTable& table, const std::string& name, const ChartDefaults& chart, ValidationCase& result) {
+    const auto ofRow = chart.words.find(name);
+    if (ofRow != chart.words.end()) result.process = ofRow->second;
+    if (table.has(name)) result.process = table.text(name);
+    const bool covered = result.kind->name.starts_with("chart_");
+    if (result.process.empty() || result.process == Gmaw::kName || result.process == Gtaw::kName) return;
+    if (covered && result.process == Smaw::kName) return;
+    table.fail(name, "unknown process " + quote(result.process) +
+                         (covered ? "; expected gmaw, gtaw or smaw" : "; expected gmaw or gtaw"));
+}
+
 /// Reads one key of [case]; one that is not there has the value of the chart's row, or its own fallback.
 void readCaseKey(TomlTable& table, const CaseKey& key, const ChartDefaults& chart, ValidationCase& result) {
     const std::string name(key.key);
@@ -214,9 +225,7 @@ void readCaseKey(TomlTable& table, const CaseKey& key, const ChartDefaults& char
             }
         break;
     case process:
-        if (table.has(name)) result.process = table.text(name);
-        if (!result.process.empty() && result.process != Gmaw::kName && result.process != Gtaw::kName)
-            table.fail(name, "unknown process " + quote(result.process) + "; expected gmaw or gtaw");
+        readProcess(table, name, chart, result);
         break;
     case lossRate:
         result.numbers[name] = table.isFlag(name) ? (table.flag(name, false) ? kDefaultLossCoefficient : 0)
@@ -298,11 +307,13 @@ void checkRosenthal(TomlTable& table, const ValidationCase& result) {
 /// Refuses an unknown gas, and keys that a process has no use for.
 void checkProcess(TomlTable& table, const ValidationCase& result) {
     const std::string& gas = result.word("gas");
-    if (!gas.empty() && (result.process == Gtaw::kName || findShieldingGas(gas) == nullptr))
+    const bool wireless = !result.process.empty() && result.process != Gmaw::kName;
+    if (!gas.empty() && (wireless || findShieldingGas(gas) == nullptr))
         table.fail("gas", "is " + quote(gas) + "; expected ar_co2, co2, ar_o2, ar or none, and a gmaw arc");
-    if (result.process == Gtaw::kName)
+    if (wireless)
         for (const char* key : {"wire_diameter_mm", "wire_feed_m_min", "voltage"})
-            if (result.number(key) > 0) table.fail(key, "a gtaw arc has no wire; expected gmaw, or the key left out");
+            if (result.number(key) > 0)
+                table.fail(key, "a " + result.process + " arc has no wire; expected gmaw, or the key left out");
     if (result.process != Gmaw::kName) return;
     if (result.number("wire_diameter_mm") <= 0)
         table.fail("wire_diameter_mm", "is missing; expected the diameter of the wire in mm");
@@ -326,7 +337,7 @@ void checkWeld(TomlTable& table, const ValidationCase& result) {
     checkArc(table, result);
     const bool chart = kind.starts_with("chart_");
     if (chart) checkChart(table, result);
-    if ((kind == "fillet" || chart) && !hasWire(result))
+    if ((kind == "fillet" || (chart && result.process.empty())) && !hasWire(result))
         table.fail("wire_diameter_mm", "is missing; expected a wire, because a " +
                                            std::string(chart ? "joint" : "fillet") + " needs filler");
     if (kind != "cooling") return;

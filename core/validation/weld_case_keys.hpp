@@ -26,7 +26,7 @@ constexpr std::array<CaseKey, M + N> joined(const std::array<CaseKey, M>& first,
 
 /// Keys of the process of every weld, see caseProcess().
 inline constexpr std::array kArc{
-    CaseKey{"process", process, 0, 0, 0.0, "gmaw with wire or gtaw without"},
+    CaseKey{"process", process, 0, 0, 0.0, "gmaw with wire or gtaw without; of a chart smaw, too"},
     CaseKey{"power_w", number, 0, 1e6, 0.0, "electric, where voltage and current are not given"},
     CaseKey{"voltage", number, 0, 60, 0.0, "of the welding machine, with wire"},
     CaseKey{"current_a", number, 0, 2000, 0.0, "of an arc without wire; with wire the feed follows from it"},
@@ -68,7 +68,8 @@ inline constexpr std::array kFillet =
            kArc);
 /// Keys of a weld at a chart's values; those that the chart's row has need not be there.
 inline constexpr std::array kChart =
-    joined(std::array{CaseKey{"row", word, 0, 0, 0.0, "of a chart, by its id"}, kTravel,
+    joined(std::array{CaseKey{"row", word, 0, 0, 0.0, "of a chart, by its id"},
+                      kTravel,
                       CaseKey{"thickness_mm", number, 0.1, 100, kNeeded, "of each plate"},
                       CaseKey{"gap_mm", number, 0, 10, 0.0, "of a butt joint"},
                       CaseKey{"seam_mm", number, 4, 1000, 20.0, "of weld that counts; 5 mm more at each end do not"},
@@ -80,6 +81,12 @@ inline constexpr std::array kChart =
                       CaseKey{"voltage_offset_v", number, -30, 30, 0.0, "added to the voltage at a given wire feed"},
                       CaseKey{"speed_factor", number, 0.1, 10, 1.0, "times the travel speed at a given wire feed"},
                       CaseKey{"position", word, 0, 0, 0.0, "of the joint, see lessons"},
+                      CaseKey{"electrode", word, 0, 0, 0.0, "covered electrode of smaw: e6013, e7018 or e6010"},
+                      CaseKey{"electrode_diameter_mm", number, 0, 10, 0.0, "of its core, or of the tungsten"},
+                      CaseKey{"rod_diameter_mm", number, 0, 10, 0.0, "of the filler rod of gtaw; 0: none"},
+                      CaseKey{"rod_ahead_mm", number, 0, 20, 1.5, "from the electrode to where the rod dips"},
+                      CaseKey{"rod_dips_hz", number, 0, 20, 1.0, "dips of the rod a second"},
+                      CaseKey{"rod_feed_mm_s", number, 0, 100, 3.5, "speed at which the fingers feed the rod"},
                       CaseKey{"ambient_k", number, 1, kHot, kRoom, "plate and air"}},
            kArc);
 inline constexpr std::array kSpot = joined(
@@ -95,7 +102,7 @@ inline constexpr std::string_view kChartResults =
     "current_a, voltage_v, arc_length_mm, leg_lying_mm, leg_standing_mm, throat_mm, height_mm, toe_angle_lying_deg, "
     "toe_angle_standing_deg, overlap_lying_mm, overlap_standing_mm, undercut_lying_mm, undercut_standing_mm, "
     "root_fused_percent, root_fusion_mm, root_missing_mm, excess_penetration_mm, hole_mm, penetration_mm, accepted, "
-    "spatter_expected, "
+    "spatter_expected, toe_width_mm, fused_width_mm, root_width_mm, "
     "heat_by_drops_percent, arc_caught_percent, arc_on_solid_percent, arc_on_solid_ahead_percent, "
     "arc_on_solid_lying_percent, arc_on_solid_standing_percent, line_warmth_lying_k, line_warmth_standing_k, "
     "refused_filler";

@@ -72,6 +72,34 @@ TEST_CASE("A chart's voltage and speed change at the feed that the chart's own v
     CHECK(section(slow) == Approx(section(cold)).epsilon(0.1));
 }
 
+TEST_CASE("A lap is asked for no longer leg than its edge has room for", "[validation]") {
+    CHECK(*weld("lap", "leg_mm = 8\n").weld->nominal.leg == Approx(6e-3));
+}
+
+TEST_CASE("A chart's weld by hand strikes as its process asks and has the filler of rod and electrode",
+          "[validation]") {
+    const auto byHand = [](const std::string& keys) {
+        const auto file = test::scratchFolder("chart-hand") / "case.toml";
+        writeTextFileAtomically(file, "name = \"weld\"\nkind = \"chart_tee\"\nspacing_mm = 2\n[material]\n"
+                                      "use = \"s235\"\n[case]\nthickness_mm = 6\nseam_mm = 16\n" +
+                                          keys);
+        return runValidationCase(readValidationCase(file), test::shaders());
+    };
+    const ValidationResult covered =
+        byHand("process = \"smaw\"\ncurrent_a = 130\nelectrode = \"e7018\"\nelectrode_diameter_mm = 3.2\n"
+               "speed_mm_s = 2.5\narc_length_mm = 5\ntravel_angle_deg = -15\n");
+    CHECK(ours(covered, "current_a") == Approx(130).epsilon(0.05));
+    CHECK(ours(covered, "voltage_v") > 20);
+    CHECK(*covered.weld->measures.mean.deposited > 6e-6); // 4 mm/s of the core burn off
+    const ValidationResult tungsten =
+        byHand("process = \"gtaw\"\ncurrent_a = 200\nspeed_mm_s = 1.5\narc_length_mm = 3.5\n"
+               "rod_diameter_mm = 2.4\nrod_feed_mm_s = 3\n");
+    CHECK(ours(tungsten, "current_a") == Approx(200).epsilon(0.05));
+    CHECK(ours(tungsten, "voltage_v") < 16);
+    CHECK(ours(tungsten, "refused_filler") == 0);
+    CHECK(ours(tungsten, "fused_width_mm") > 4);
+}
+
 TEST_CASE("A chart's lap has legs on both plates, and its butt a root in the gap", "[validation]") {
     const ValidationResult lap = weld("lap"), butt = weld("butt", "gap_mm = 2\nweave_mm = 2\n");
     CHECK(lap.weld->measures.kind == WeldKind::fillet);

@@ -2,6 +2,7 @@
 
 #include <glm/matrix.hpp>
 
+#include <algorithm>
 #include <array>
 
 namespace meltpool {
@@ -29,6 +30,13 @@ glm::mat3 trough() {
 
 std::span<const std::string_view> positionNames() {
     return kNames;
+}
+
+std::optional<WeldPosition> findPosition(std::string_view name) {
+    const auto names = positionNames();
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) return std::nullopt;
+    return static_cast<WeldPosition>(found - names.begin());
 }
 
 glm::vec3 Fixture::up() const {

@@ -5,6 +5,7 @@
 
 #include <glm/mat3x3.hpp>
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -20,6 +21,8 @@ enum class WeldPosition { asItLies, flat, f1, f2, f3, f4, g1, g2, g3, g4, g5 };
 
 /// Returns the names in files, in the order of WeldPosition: "as_it_lies", "flat", "1F" ...
 std::span<const std::string_view> positionNames();
+/// Returns the position with this name; nothing for an unknown one.
+std::optional<WeldPosition> findPosition(std::string_view name);
 
 /// Hold of the workpiece in the room, whose y points up and whose z points towards the welder.
 struct Fixture {
