@@ -112,6 +112,7 @@ ParameterList Lesson::processParameters() {
 NominalWeld Lesson::nominalWeld() const {
     NominalWeld weld = nominal;
     weld.thickness = static_cast<double>(simulatedWorkpiece(workpiece).thicknessMm) * 1e-3;
+    weld.betweenEdges = workpiece.kind == static_cast<int>(WorkpieceKind::Corner);
     return weld;
 }
 

@@ -14,7 +14,8 @@ struct NominalWeld {
     /// defaults to its plates' thickness.
     std::optional<double> throat, leg;
     double linearMisalignment = 0; ///< offset of a butt's plates against each other, as the workpiece was set up
-    double jointGap = 0;     ///< gap under a fillet, as the workpiece was set up
+    double jointGap = 0;           ///< gap under a fillet, as the workpiece was set up
+    bool betweenEdges = false;     ///< the weld fills the groove of an outside corner, whose legs end with the edges
 
     std::optional<double> throatOf(WeldKind kind) const;
     std::optional<double> legOf() const;

@@ -93,10 +93,11 @@ Judged excessiveAsymmetry(const WeldStation& s, const NominalWeld&, WeldKind) {
 
 /// Throat that a drawing asks for: the height of the largest triangle with two equal sides along the plates that the
 /// fillet's section holds (nominal throat, ISO 2553). It reaches no farther along the plates than the shorter leg, so a
-/// convex bead with short legs has less of it than of metal above the corner.
-Value inscribedThroat(const WeldStation& s) {
+/// convex bead with short legs has less of it than of metal above the corner. A groove between two edges has no such
+/// legs: they end with the edges.
+Value inscribedThroat(const WeldStation& s, const NominalWeld& nominal) {
     Value throat = s.throat;
-    if (!throat) return throat;
+    if (!throat || nominal.betweenEdges) return throat;
     for (const Value& leg : {placedLeg(s.leg1, s.edgeAngle1), placedLeg(s.leg2, s.edgeAngle2)})
         if (leg) throat = std::min(*throat, *leg / std::numbers::sqrt2);
     return throat;
@@ -104,7 +105,7 @@ Value inscribedThroat(const WeldStation& s) {
 
 Judged insufficientThroat(const WeldStation& s, const NominalWeld& nominal, WeldKind kind) {
     const auto asked = nominal.throatOf(kind);
-    const Value throat = inscribedThroat(s);
+    const Value throat = inscribedThroat(s, nominal);
     return throat && asked ? inMm(*asked - *throat) : std::nullopt;
 }
 

@@ -128,6 +128,9 @@ TEST_CASE("a fillet has the throat of the largest triangle with equal sides in i
     station.throat = 3.8e-3;        // a convex face: the legs hold 4.5 / sqrt(2) = 3.18 mm
     CHECK(judged("insufficient_throat", nominal, station)->value == Approx(4 - 4.5 / std::sqrt(2.0)));
     CHECK(judged("excessive_throat", nominal, station)->value == Approx(-0.2)); // all the metal over the corner
+    nominal.betweenEdges = true; // an outside corner: the edges end its legs
+    CHECK(judged("insufficient_throat", nominal, station)->value == Approx(0.2));
+    nominal.betweenEdges = false;
     station.throat = 3e-3;                                                      // hollow: the face limits it
     CHECK(judged("insufficient_throat", nominal, station)->value == Approx(1));
     station.throat = 3.8e-3;
