@@ -127,6 +127,13 @@ const std::string& unknownText(const VerdictItem& item) {
     return phrase(absent ? "judgement.item.never_shown" : "judgement.item.not_measured");
 }
 
+/// Adds to a failed item the sentence on how its imperfection is measured.
+void addNote(const VerdictItem& item, JudgementRow& row) {
+    const WeldFigure* known = findImperfection(item.name);
+    if (item.state != VerdictState::fail || known == nullptr || known->note().empty()) return;
+    row.detail.append(". ").append(known->note());
+}
+
 JudgementRow verdictRow(const VerdictItem& item) {
     JudgementRow row{capitalised(imperfectionName(item.name)), stateText(item), {}, RowState::open};
     if (item.state == VerdictState::pass) row.state = RowState::good;
@@ -141,6 +148,7 @@ JudgementRow verdictRow(const VerdictItem& item) {
     row.detail =
         phrase(placed ? "judgement.item.value_at" : "judgement.item.value",
                {{"value", value}, {"limit", limitText(item)}, {"place", rounded(item.place.value_or(0) * 1e3, 0)}});
+    addNote(item, row);
     return row;
 }
 

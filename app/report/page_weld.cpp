@@ -130,11 +130,18 @@ std::string unfinished(const json& verdict) {
            "</p>\n";
 }
 
+/// Sentence on how a failed imperfection is measured; empty for most.
+std::string noteOf(const json& item) {
+    const WeldFigure* known = findImperfection(rawIn(item, "name"));
+    if (rawIn(item, "state") != "fail" || known == nullptr || known->note().empty()) return {};
+    return "<br><span class=\"quiet\">" + escaped(std::string(known->note())) + "</span>";
+}
+
 std::string itemRow(const LetteredItem& each) {
     const json& item = *each.item;
-    return "<tr><td>" + each.letter + "</td><td>" + escaped(imperfectionName(rawIn(item, "name"))) + "</td>" +
-           numberCell(valueText(item)) + numberCell(limitText(item)) + "<td>" + whereText(item) + "</td><td class=\"" +
-           textIn(item, "state") + "\">" + stateText(item) + "</td></tr>\n";
+    return "<tr><td>" + each.letter + "</td><td>" + escaped(imperfectionName(rawIn(item, "name"))) + noteOf(item) +
+           "</td>" + numberCell(valueText(item)) + numberCell(limitText(item)) + "<td>" + whereText(item) +
+           "</td><td class=\"" + textIn(item, "state") + "\">" + stateText(item) + "</td></tr>\n";
 }
 
 /// List of likely causes and remedies, with the command that tries a remedy where it appears first; empty if no item

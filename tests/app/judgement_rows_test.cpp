@@ -154,6 +154,18 @@ TEST_CASE("the verdict names standard and level, and what failed comes first, wh
           "Mean 1.3 mm \xC2\xB1 0.3 mm over 30 mm; none is allowed");
 }
 
+TEST_CASE("a throat that is too small says that short legs count", "[app]") {
+    Judgement judgement;
+    judgement.verdict = refused();
+    const VerdictItem small = {
+        "insufficient_throat", 0.8, 0.1, LimitKind::notPermitted, "mm", VerdictState::fail, true, 0.1, std::nullopt};
+    judgement.verdict->items = {small};
+    const auto detail = [&] { return judgementRows(judgement, nullptr).judged.rows.front().detail; };
+    CHECK_THAT(detail(), test::containsText("a short leg makes it smaller"));
+    judgement.verdict->items.front().state = VerdictState::pass;
+    CHECK_THAT(detail(), !test::containsText("a short leg makes it smaller"));
+}
+
 TEST_CASE("a lesson without bands and acceptance says so and shows the measured weld", "[app]") {
     Judgement judgement;
     judgement.weld = fillet();

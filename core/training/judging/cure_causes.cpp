@@ -195,6 +195,7 @@ constexpr std::array kCauses{
     set("insufficient_throat", "wire_feed_m_min", kLess, littleMetal),
     set("insufficient_throat", "current", kLess, littleMetal, meltsElectrode),
     set("insufficient_throat", "voltage", kMore, hot),
+    set("insufficient_throat", "voltage", kLess, cold), // a convex bead with short legs
     set("insufficient_throat", "gap_mm", kMore, setUp),
     set("insufficient_throat", "thickness_mm", kLess, hot),
 

@@ -92,6 +92,8 @@ struct WeldFigure {
     std::string_view pageWords() const;                       ///< words in the table of the HTML page
     /// Words next to its measure in a drawn section; empty for a figure that is not drawn.
     std::string_view drawnWords() const { return wordsOf("drawn"); }
+    /// Sentence on how an imperfection is measured, where its name alone misleads; empty for most.
+    std::string_view note() const { return wordsOf("note"); }
 
   private:
     /// Words for a place that shows them; empty if the words file has none for it.
