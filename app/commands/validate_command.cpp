@@ -161,7 +161,7 @@ void changeChart(ValidationCase& one, const ValidationRequest& request) {
                              formatNumber(known->minimum) + " to " + formatNumber(known->maximum));
         found->second = *value;
     };
-    change("voltage_offset_v", request.voltageOffset);
+    if (hasWire(one)) change("voltage_offset_v", request.voltageOffset); // no other machine sets a voltage
     change("speed_factor", request.speedFactor);
 }
 

@@ -42,6 +42,29 @@ std::string positionOf(const ChartRow& row, const CaseKind& kind) {
     return contains(row.positions, chartPosition(lying)) ? std::string() : row.positions.front();
 }
 
+/// Throws for a covered electrode without its kind, core or current.
+void checkElectrode(TomlTable& table, const ValidationCase& from) {
+    const auto names = smawElectrodes();
+    if (std::find(names.begin(), names.end(), from.word("electrode")) == names.end())
+        table.fail("electrode", "is " + quote(from.word("electrode")) + "; expected e6013, e7018 or e6010");
+    if (from.number("electrode_diameter_mm") <= 0)
+        table.fail("electrode_diameter_mm", "is missing; expected the diameter of the core in mm");
+    if (from.number("current_a") <= 0)
+        table.fail("current_a", "is missing; expected the current of the covered electrode in A");
+}
+
+/// Throws for keys of electrode and rod that another process has no use for.
+void checkUnused(TomlTable& table, const ValidationCase& from) {
+    const auto refuse = [&](const char* key, bool given) {
+        if (given) table.fail(key, "is of no use to " + from.process + "; expected it left out");
+    };
+    const bool wire = hasWire(from);
+    if (from.process != Smaw::kName) refuse("electrode", !from.word("electrode").empty());
+    if (wire) refuse("electrode_diameter_mm", from.number("electrode_diameter_mm") > 0);
+    if (wire || from.process == Smaw::kName) refuse("rod_diameter_mm", from.number("rod_diameter_mm") > 0);
+    if (!wire) refuse("voltage_offset_v", from.number("voltage_offset_v") != 0);
+}
+
 } // namespace
 
 int chartJoint(const CaseKind& kind) {
@@ -81,16 +104,11 @@ ChartDefaults chartDefaults(TomlTable& table, const CaseKind& kind) {
     return values;
 }
 
-void checkElectrode(TomlTable& table, const ValidationCase& from) {
-    const auto names = smawElectrodes();
-    if (std::find(names.begin(), names.end(), from.word("electrode")) == names.end())
-        table.fail("electrode", "is " + quote(from.word("electrode")) + "; expected e6013, e7018 or e6010");
-    if (from.number("electrode_diameter_mm") <= 0)
-        table.fail("electrode_diameter_mm", "is missing; expected the diameter of the core in mm");
-}
-
 void checkChart(TomlTable& table, const ValidationCase& from) {
+    if (!hasWire(from) && from.process.empty())
+        table.fail("process", "is missing; expected a row, a wire, or the process gtaw or smaw");
     if (from.process == Smaw::kName) checkElectrode(table, from);
+    checkUnused(table, from);
     const std::string& position = from.word("position");
     if (position.empty()) return;
     const auto found = findPosition(position);

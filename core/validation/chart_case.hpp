@@ -22,7 +22,8 @@ struct ChartDefaults {
 /// that is not the row's.
 ChartDefaults chartDefaults(TomlTable& table, const CaseKind& kind);
 
-/// Throws InputError for a position that the joint cannot have, and for smaw without a known electrode.
+/// Throws InputError for a position that the joint cannot have, a chart's weld without a process, smaw without a known
+/// electrode, and keys that the process has no use for.
 void checkChart(TomlTable& table, const ValidationCase& from);
 
 /// Returns the joint of a kind of case: "chart_tee", "chart_lap" or "chart_butt".

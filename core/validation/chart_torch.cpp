@@ -11,7 +11,7 @@ constexpr double kTungstenPools = 3;   // s until the arc of a tungsten electrod
 constexpr double kLowers = 0.06;       // s
 constexpr double kTouches = 0.08;      // s on the metal, too short to stick
 constexpr double kLifts = 0.07;        // s
-constexpr double kElectrodePools = 0.6;
+constexpr double kElectrodePools = 0.6; // s until the arc of a covered electrode has one
 constexpr float kPressed = 0.3e-3F; // m by which the hand goes deeper than the metal
 
 /// Collects moves, each from where the last one ended.

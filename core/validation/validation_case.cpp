@@ -335,11 +335,9 @@ void checkArc(TomlTable& table, const ValidationCase& result) {
 void checkWeld(TomlTable& table, const ValidationCase& result) {
     const std::string_view kind = result.kind->name;
     checkArc(table, result);
-    const bool chart = kind.starts_with("chart_");
-    if (chart) checkChart(table, result);
-    if ((kind == "fillet" || (chart && result.process.empty())) && !hasWire(result))
-        table.fail("wire_diameter_mm", "is missing; expected a wire, because a " +
-                                           std::string(chart ? "joint" : "fillet") + " needs filler");
+    if (kind.starts_with("chart_")) checkChart(table, result);
+    if (kind == "fillet" && !hasWire(result))
+        table.fail("wire_diameter_mm", "is missing; expected a wire, because a fillet needs filler");
     if (kind != "cooling") return;
     if (result.number("cold_k") >= result.number("hot_k")) table.fail("cold_k", "expected less than hot_k");
     if (result.number("until_k") > result.number("cold_k")) table.fail("until_k", "expected at most cold_k, or 0");

@@ -26,7 +26,7 @@ constexpr std::array<CaseKey, M + N> joined(const std::array<CaseKey, M>& first,
 
 /// Keys of the process of every weld, see caseProcess().
 inline constexpr std::array kArc{
-    CaseKey{"process", process, 0, 0, 0.0, "gmaw with wire or gtaw without; of a chart smaw, too"},
+    CaseKey{"process", process, 0, 0, 0.0, "gmaw with wire, gtaw without; smaw in a chart's weld"},
     CaseKey{"power_w", number, 0, 1e6, 0.0, "electric, where voltage and current are not given"},
     CaseKey{"voltage", number, 0, 60, 0.0, "of the welding machine, with wire"},
     CaseKey{"current_a", number, 0, 2000, 0.0, "of an arc without wire; with wire the feed follows from it"},
@@ -34,7 +34,7 @@ inline constexpr std::array kArc{
     CaseKey{"wire_feed_m_min", number, 0, 100, 0.0, "of the wire"},
     CaseKey{"gas", word, 0, 0, 0.0, "shielding gas of a wire; the mix of argon and carbon dioxide without it"},
     CaseKey{"ctwd_mm", number, 1, 60, 15.0, "contact tip to work distance, with wire"},
-    CaseKey{"arc_length_mm", number, 0.3, 30, 3.0, "from the tungsten electrode"},
+    CaseKey{"arc_length_mm", number, 0.3, 30, 3.0, "from the tungsten or covered electrode"},
 };
 /// Keys of every weld on a plate.
 inline constexpr std::array kPlate{

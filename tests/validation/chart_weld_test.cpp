@@ -90,14 +90,16 @@ TEST_CASE("A chart's weld by hand strikes as its process asks and has the filler
                "speed_mm_s = 2.5\narc_length_mm = 5\ntravel_angle_deg = -15\n");
     CHECK(ours(covered, "current_a") == Approx(130).epsilon(0.05));
     CHECK(ours(covered, "voltage_v") > 20);
-    CHECK(*covered.weld->measures.mean.deposited > 6e-6); // 4 mm/s of the core burn off
-    const ValidationResult tungsten =
-        byHand("process = \"gtaw\"\ncurrent_a = 200\nspeed_mm_s = 1.5\narc_length_mm = 3.5\n"
-               "rod_diameter_mm = 2.4\nrod_feed_mm_s = 3\n");
-    CHECK(ours(tungsten, "current_a") == Approx(200).epsilon(0.05));
+    CHECK(*covered.weld->measures.mean.deposited > 10e-6); // 4.9 mm/s of the core burn off: 15 mm2 less what sputters
+    const std::string arc = "process = \"gtaw\"\ncurrent_a = 250\nspeed_mm_s = 1.5\narc_length_mm = 4\n";
+    const ValidationResult tungsten = byHand(arc + "rod_diameter_mm = 2.4\nrod_feed_mm_s = 3\nrod_ahead_mm = 0\n"),
+                           bare = byHand(arc);
+    CHECK(ours(tungsten, "current_a") == Approx(250).epsilon(0.05));
     CHECK(ours(tungsten, "voltage_v") < 16);
     CHECK(ours(tungsten, "refused_filler") == 0);
     CHECK(ours(tungsten, "fused_width_mm") > 4);
+    CHECK(*tungsten.weld->measures.mean.deposited > 5e-6); // the rod brings 9 mm2 on each millimetre
+    CHECK(bare.weld->measures.mean.deposited.value_or(0) < 1e-6);
 }
 
 TEST_CASE("A chart's lap has legs on both plates, and its butt a root in the gap", "[validation]") {

@@ -152,6 +152,11 @@ TEST_CASE("limits take the thickness that is simulated, whatever spacing is set 
     CHECK(lesson.nominalWeld().thickness == Approx(5e-3));
 }
 
+TEST_CASE("the legs of an outside corner's groove are not asked for", "[training]") {
+    CHECK(findLesson("corner-1f", shippedLessons()).nominalWeld().betweenEdges);
+    CHECK_FALSE(findLesson("tee-thin", shippedLessons()).nominalWeld().betweenEdges);
+}
+
 TEST_CASE("shipped lessons on plates of 3 mm are judged by the rows of thin plates", "[training]") {
     std::set<std::string> thin;
     for (const std::string& name : lessonNames(shippedLessons())) {
