@@ -34,6 +34,7 @@ class DrawnInterface {
         int width = 0, height = 0;
         io.Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
         ui::applyTheme(1);
+        draw([](ui::Context&) {}); // newer Dear ImGui draws a window's corner only from its second frame on
     }
     ~DrawnInterface() {
         ImGui::DestroyContext();
