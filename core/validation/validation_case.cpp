@@ -187,11 +187,11 @@ void readProcess(TomlTable& table, const std::string& name, const ChartDefaults&
     const auto ofRow = chart.words.find(name);
     if (ofRow != chart.words.end()) result.process = ofRow->second;
     if (table.has(name)) result.process = table.text(name);
-    const bool covered = result.kind->name.starts_with("chart_");
+    const bool chartWeld = result.kind->name.starts_with("chart_");
     if (result.process.empty() || result.process == Gmaw::kName || result.process == Gtaw::kName) return;
-    if (covered && result.process == Smaw::kName) return;
+    if (chartWeld && result.process == Smaw::kName) return;
     table.fail(name, "unknown process " + quote(result.process) +
-                         (covered ? "; expected gmaw, gtaw or smaw" : "; expected gmaw or gtaw"));
+                         (chartWeld ? "; expected gmaw, gtaw or smaw" : "; expected gmaw or gtaw"));
 }
 
 /// Reads one key of [case]; one that is not there has the value of the chart's row, or its own fallback.
