@@ -79,6 +79,8 @@ class AttemptCues {
     size_t boardMarkers() const { return shapes_.boardMarkers(); }
     /// Fields of that board.
     std::span<const CueLabel> labels() const { return shapes_.labels(); }
+    /// Side of that board; see CueShapes::boardSide().
+    float boardSide() const { return pose_ && !on_.empty() ? shapes_.boardSide() : 0; }
     /// True if the person has made no progress with a kind yet: its field needs a name.
     bool isNew(CueKind kind) const { return before_.strength(kind) >= 1; }
 

@@ -190,9 +190,9 @@ void AttemptGhost::tellWords(const Trainer& trainer, double elapsed) {
 }
 
 std::span<const Marker> AttemptGhost::markers(const Trainer& trainer, const SceneView& scene, const View& eye,
-                                              float zoom) {
+                                              float zoom, float boardSide) {
     if (!on() || !moment_ || !hand_) return {};
-    const GhostLook look{strength_, 1 / zoom, *hand_, nameOf(on_)};
+    const GhostLook look{strength_, 1 / zoom, *hand_, nameOf(on_), boardSide};
     return shapes_.build(*moment_, words_, trainer.lesson().process, trainer.technique()->seam(), look,
                          cueEye(scene, eye), scene.modelToWorld);
 }

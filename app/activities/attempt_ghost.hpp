@@ -80,7 +80,9 @@ class AttemptGhost {
 
     /// Markers of the last step's ghost for this eye, in the scene's world; valid until the next call. `zoom`: scale at
     /// which the workpiece is shown to the eye; the ghost's torch keeps its own size, as the person's does.
-    std::span<const Marker> markers(const Trainer& trainer, const SceneView& scene, const View& eye, float zoom = 1);
+    /// `boardSide`: see GhostLook.
+    std::span<const Marker> markers(const Trainer& trainer, const SceneView& scene, const View& eye, float zoom = 1,
+                                    float boardSide = 0);
 
   private:
     GhostChoice wanted() const { return static_cast<GhostChoice>(parameters.ghost); }

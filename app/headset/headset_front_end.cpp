@@ -314,7 +314,8 @@ MenuRequest HeadsetFrontEnd::drawMenu(LessonSession& session, Home& home, const 
         answer = menu_.draw(panel, panel_.pointer(), elapsed, session,
                             {home, section_, warning(), hands_.tipReport(), hands_.tipMeasured(), figures,
                              hands_.torchHand() == xr::Hand::left,
-                             page_ == Page::work && heats(session) && !panel_.pointingHand(), question_});
+                             page_ == Page::work && !panel_.pointingHand() && (heats(session) || view_.dark(session)),
+                             question_});
         const xr::Pose pose = workshop_.toSession(panel_.pose());
         headset.showPanel(pose);
         mirror_.addFlat(panel, pose, panel.shape().width);

@@ -22,7 +22,7 @@ struct HeadsetMenuContent {
     bool tipMeasured = false;        ///< a measured tip is in use
     const LessonFigures& figures;
     bool leftHanded;    ///< the left hand holds the torch
-    bool dimmed;        ///< the person works beside the panel
+    bool dimmed;        ///< the person works beside the panel, or watches the arc through a dark visor
     Question* question; ///< question before an action ends the teacher's weld; null: none
 };
 

@@ -97,7 +97,8 @@ std::span<const Marker> LessonPicture::cueMarkers(const SceneView& scene, const 
 
 std::span<const Marker> LessonPicture::ghostMarkers(const SceneView& scene, const View& eye, float zoom) {
     if (!showsHelp()) return {};
-    return source_.activities.attempt.ghost().markers(*trainer(), scene, eye, zoom);
+    Attempt& attempt = source_.activities.attempt;
+    return attempt.ghost().markers(*trainer(), scene, eye, zoom, attempt.cues().boardSide());
 }
 
 Fixture LessonPicture::fixture() const {
@@ -148,8 +149,8 @@ DeskPicture LessonPicture::atDesk(const Controls& controls, float aspect, const 
     lookThroughTable(scene, view);
     View free = view; // signs beside the work avoid the panels
     free.eyeToClip = covered_.uncovered() * view.eyeToClip;
-    scene.ghost = ghostMarkers(scene, free);
     scene.markers = cueMarkers(scene, free);
+    scene.ghost = ghostMarkers(scene, free); // beside the cues' board
     if (!scene.markers.empty()) picture.boardMarkers = source_.activities.attempt.cues().boardMarkers();
     nameCues(scene, view);
     return picture;

@@ -80,7 +80,7 @@ class LessonPicture {
     /// Names of the cues on the board of the last desk picture that the person has made no progress with. Places are in
     /// the window: shares of its width and height from the upper left.
     std::span<const NamedCue> namedCues() const { return namedCues_; }
-    /// Markers of the ghost, likewise. `zoom`: see AttemptGhost::markers().
+    /// Markers of the ghost, likewise, beside the board of the last cueMarkers(). `zoom`: see AttemptGhost::markers().
     std::span<const Marker> ghostMarkers(const SceneView& scene, const View& eye, float zoom = 1);
 
     CutView& cut() { return cut_; }

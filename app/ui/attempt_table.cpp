@@ -17,8 +17,10 @@ namespace {
 
 constexpr float kActionsWidth = 132; ///< points
 constexpr ImU32 kChosen = IM_COL32(255, 138, 61, 56);
-constexpr float kGap = 12;         ///< points between two columns
-constexpr float kSmallBelow = 720; ///< points of width below which the small font is used
+constexpr float kGap = 12;              ///< points between two columns
+constexpr float kSmallBelow = 720;      ///< points of width below which the small font is used
+constexpr float kShortScoreBelow = 420; ///< points of width below which a score has no words
+constexpr float kShortScoreWidth = 56;  ///< points, as those of a column
 
 struct Column {
     AttemptColumn column;
@@ -29,9 +31,9 @@ struct Column {
 };
 constexpr std::array<Column, 6> kColumns{{{AttemptColumn::lesson, "lesson", 0, 4, 0},
                                           {AttemptColumn::title, "title", 0, 3, 460},
-                                          {AttemptColumn::date, "date", 152, 0, 215},
+                                          {AttemptColumn::date, "date", 152, 0, 300},
                                           {AttemptColumn::length, "length", 84, 0, 640},
-                                          {AttemptColumn::score, "score", 154, 0, 330},
+                                          {AttemptColumn::score, "score", 154, 0, 0},
                                           {AttemptColumn::test, "test", 62, 0, 400}}};
 
 /// Places of the columns for a room.
@@ -39,20 +41,23 @@ struct Layout {
     std::array<float, kColumns.size()> left{}, width{}; ///< pixels; no width: not shown
     ImFont* font = nullptr;
     float rowHeight = 0; ///< pixels
+    bool shortScore = false;
 };
 
 Layout layoutFor(const Context& context, float room) {
     Layout layout;
     const float points = room / context.scale;
     const bool small = points < kSmallBelow;
+    layout.shortScore = points < kShortScoreBelow;
     layout.font = small ? context.fonts.small : context.fonts.body;
     layout.rowHeight = loadedSize(*layout.font) * ImGui::GetIO().FontGlobalScale + context.points(8);
     float fixed = 0, sharing = 0;
     for (size_t i = 0; i < kColumns.size(); ++i) {
         if (points < kColumns[i].shownAbove) continue;
-        layout.width[i] =
-            kColumns[i].width > 0 ? context.points(kColumns[i].width * (small ? 0.84f : 1)) : kColumns[i].share;
-        (kColumns[i].width > 0 ? fixed : sharing) += layout.width[i];
+        const bool shortened = layout.shortScore && kColumns[i].column == AttemptColumn::score;
+        const float width = shortened ? kShortScoreWidth : kColumns[i].width;
+        layout.width[i] = width > 0 ? context.points(width * (small ? 0.84f : 1)) : kColumns[i].share;
+        (width > 0 ? fixed : sharing) += layout.width[i];
     }
     float left = 0;
     for (size_t i = 0; i < kColumns.size(); ++i) {
@@ -180,15 +185,24 @@ ImU32 scoreTint(const ReplayEntry& entry) {
     return entry.verdict == "accepted" ? IM_COL32(134, 214, 140, 255) : IM_COL32(255, 138, 120, 255);
 }
 
-/// Shows lesson and name whole if their columns cut them off.
+/// Returns score and sign of an accepted weld, for a column without room for words; the row's tip has them.
+std::string shortScoreText(const ReplayEntry& entry) {
+    const std::string score = entry.score ? std::to_string(*entry.score) : "\xE2\x80\x93";
+    return !entry.practice && entry.verdict == "accepted" ? score + " \xE2\x9C\x93" : score;
+}
+
+/// Shows lesson, name and score whole if their columns cut them off.
 void rowTip(Context& context, const Layout& layout, const ReplayEntry& entry) {
     const float size = loadedSize(*layout.font) * ImGui::GetIO().FontGlobalScale;
     const auto cut = [&](size_t column, const std::string& text) {
         const float words = layout.font->CalcTextSizeA(size, 1e6f, 0, text.c_str()).x;
         return !text.empty() && words > layout.width[column] - context.points(kGap);
     };
-    if (!cut(0, entry.lessonTitle) && !cut(1, entry.title)) return;
-    tooltip(context, entry.title.empty() ? entry.lessonTitle : entry.lessonTitle + "\n" + entry.title);
+    if (!layout.shortScore && !cut(0, entry.lessonTitle) && !cut(1, entry.title)) return;
+    std::string text = entry.lessonTitle;
+    if (!entry.title.empty()) text += "\n" + entry.title;
+    if (layout.shortScore) text += "\n" + entry.when + "\n" + scoreText(entry);
+    tooltip(context, text);
 }
 
 /// Draws the row at `place` of the list; returns true if it is to be played.
@@ -224,7 +238,7 @@ bool attemptRow(Context& context, ReplayList& list, const Layout& layout, size_t
     cell(1, entry.title, colour::kText);
     cell(2, entry.when, colour::kQuiet);
     cell(3, lengthText(entry.seconds), colour::kQuiet);
-    cell(4, scoreText(entry), scoreTint(entry));
+    cell(4, layout.shortScore ? shortScoreText(entry) : scoreText(entry), scoreTint(entry));
     if (entry.test) cell(5, phrase("attempts.column.test"), colour::kAccent);
     return pressed && ImGui::IsMouseDoubleClicked(0);
 }

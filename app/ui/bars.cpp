@@ -101,11 +101,13 @@ ShortText figuresText(const LessonFigures& f) {
     return all;
 }
 
-/// Leaves out the last figures until the text is no wider than `room`; the first one stays.
+/// Leaves out the last figures until the text is no wider than `room`; the first one stays. Between the torch's
+/// own figures are only blanks.
 ShortText fitting(const ShortText& figures, float room) {
     std::string_view text(figures.c_str());
     while (ImGui::CalcTextSize(text.data(), text.data() + text.size()).x > room) {
-        const size_t end = text.rfind(kBetween);
+        size_t end = text.rfind(kBetween);
+        if (end == std::string_view::npos) end = text.rfind("   ");
         if (end == std::string_view::npos) break;
         text = text.substr(0, end);
     }

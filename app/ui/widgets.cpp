@@ -104,12 +104,20 @@ void putTooltipBeside(Context& context) {
                             {atRight ? 0.0f : 1.0f, upper ? 0.0f : 1.0f});
 }
 
+/// Returns the end of the letter in UTF-8 that begins at `at`.
+const char* letterEnd(const char* at, const char* end) {
+    do {
+        ++at;
+    } while (at < end && (static_cast<unsigned char>(*at) & 0xC0U) == 0x80U);
+    return at;
+}
+
 /// Returns the end of the line that begins at `at`: between two words if one fits.
 const char* lineEnd(const char* at, const char* end, float room) {
     const float scale = ImGui::GetFontSize() / loadedSize(*ImGui::GetFont());
     const char* const wrapped = ImGui::GetFont()->CalcWordWrapPositionA(scale, at, end, room);
     if (wrapped >= end) return end;
-    if (wrapped == at) return at + 1; // no room for a letter
+    if (wrapped == at) return letterEnd(at, end); // no room for a letter
     const char* word = wrapped;
     while (word > at && *word != ' ')
         --word;

@@ -6,6 +6,7 @@
 #include "tests/support/gl_fixture.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 using namespace meltpool;
 
@@ -98,8 +99,9 @@ TEST_CASE("A chart's weld by hand strikes as its process asks and has the filler
     CHECK(ours(tungsten, "voltage_v") < 16);
     CHECK(ours(tungsten, "refused_filler") == 0);
     CHECK(ours(tungsten, "fused_width_mm") > 4);
-    CHECK(*tungsten.weld->measures.mean.deposited > 5e-6); // the rod brings 9 mm2 on each millimetre
-    CHECK(bare.weld->measures.mean.deposited.value_or(0) < 1e-6);
+    // The rod brings 9 mm2 on each millimetre. Without it a section gains or loses one coarse particle at most, 4 mm2.
+    CHECK(*tungsten.weld->measures.mean.deposited > 5e-6);
+    CHECK(std::abs(bare.weld->measures.mean.deposited.value_or(0)) < 4e-6);
 }
 
 TEST_CASE("A chart's lap has legs on both plates, and its butt a root in the gap", "[validation]") {

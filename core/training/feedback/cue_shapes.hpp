@@ -81,6 +81,8 @@ class CueShapes {
     size_t boardMarkers() const { return markers_.size() - dashes_; }
     /// Fields of that board.
     std::span<const CueLabel> labels() const { return {labels_.data(), labelCount_}; }
+    /// Side of the pool on which that board is: 1 right, -1 left, 0 without fields.
+    float boardSide() const { return labelCount_ > 0 ? stand_.side : 0; }
 
   private:
     /// A plane that faces the eye. Its fields are squares of edge `cell`, counted outwards and upwards.

@@ -132,7 +132,8 @@ float GhostShapes::addWords(const GhostWords& words, const glm::vec3& pool, floa
     width += 2 * kMargin;
     const float height = kLine * static_cast<float>(words.lines()) + kMargin;
     const std::array<Stand, 3> stands{{{side, 0}, {-side, kOverBoard}, {side, kOverBoard}}};
-    const Page page = pageFor(pool, eye, stands, width, height);
+    const bool taken = look.boardSide == side;
+    const Page page = pageFor(pool, eye, std::span(stands).subspan(taken ? 1 : 0), width, height);
     const auto strength = static_cast<float>(look.strength);
     addGround(page, width, height, strength, toWorld);
     for (size_t i = 0; i < words.lines(); ++i) {

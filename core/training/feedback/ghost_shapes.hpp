@@ -18,11 +18,12 @@ struct GhostLook {
     float size = 1;      ///< scale of its torch relative to the workpiece
     CuePose hand;        ///< pose of one's own torch: the words are next to it, away from the cues' board
     std::string_view name = {}; ///< whose torch it is; empty: no name is drawn
+    float boardSide = 0;        ///< side of the pool on which the cues' board is: 1 right, -1 left, 0 none
 };
 
 /// Draws a ghost. The words are on the side that the torch came from, nearer to the eye than the pool; beyond the
-/// picture's edge they move above the cues' board. The name is on that side of the ghost's torch, above board and
-/// words. Both leave the pool's disc free, as cues do.
+/// picture's edge, or where the cues' board is, they move above that board. The name is on that side of the ghost's
+/// torch, above board and words. Both leave the pool's disc free, as cues do.
 class GhostShapes {
   public:
     GhostShapes();

@@ -1,6 +1,7 @@
 // Tests the path from the list of lessons to the result and back, with mouse and keys in the running window.
 #include "core/base/image.hpp"
 #include "core/base/text.hpp"
+#include "core/base/words.hpp"
 #include "tests/desktop/driven/driver.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
@@ -115,10 +116,9 @@ json weldSmallBead(TrainerWindow& window) {
 /// Welds again if the machine was so busy that samples of the torch were lost, since such an attempt has no score.
 json weldToScore(TrainerWindow& window) {
     json judged = weldSmallBead(window);
-    const auto lost = [&] {
-        return judged.at("judgement").dump().find("of the torch was missing") != std::string::npos ||
-               judged.at("judgement").dump().find("of the torch were missing") != std::string::npos;
-    };
+    const std::string sentence = phraseOfCount("score.samples_missing", 1, {{"count", "1"}});
+    const std::string words = sentence.substr(0, sentence.find('1'));
+    const auto lost = [&] { return judged.at("judgement").dump().find(words) != std::string::npos; };
     for (int again = 0; again < 4 && lost(); ++again) {
         WARN("welded again: " << judged.at("judgement").dump());
         window.click("result.again");

@@ -90,6 +90,7 @@ TEST_CASE("the table has as many rows as fit, and more in a larger window") {
     }
     const Table narrow("attempts-narrow", 3, {390, 420}); // text of twice the size in a window of 800 pixels
     CHECK(narrow.interface.shows("home.attempts.column.lesson"));
+    CHECK(narrow.interface.shows("home.attempts.column.score"));
     CHECK_FALSE(narrow.interface.shows("home.attempts.column.title"));
     CHECK(narrow.interface.shows("home.attempt.0"));
 }

@@ -120,6 +120,23 @@ TEST_CASE("a narrow bar leaves out whole figures, the last ones first") {
     CHECK(drawn(3000, "a picture of few pixels", replay) > drawn(3000, {}, replay));
 }
 
+TEST_CASE("a bar too narrow for the torch's figures leaves out its angles and names a key") {
+    DrawnInterface interface;
+    const KeySituation weld{.lesson = true, .seam = true, .arc = true};
+    const auto drawn = [&](float width, double travel, double distance) {
+        ImGui::GetIO().DisplaySize.x = width;
+        LessonFigures figures;
+        figures.torch.emplace();
+        figures.torch->travel = travel;
+        figures.torch->distance = distance;
+        return interface.draw([&](ui::Context& context) { statusBar(context, figures, weld); });
+    };
+    constexpr double kPush = 0.1, kSteepPush = 0.3; // of one digit and of two
+    CHECK(drawn(3000, kPush, 0.015) < drawn(3000, kSteepPush, 0.015));
+    CHECK(drawn(400, kPush, 0.015) == drawn(400, kSteepPush, 0.015));
+    CHECK(drawn(400, kPush, 0.005) < drawn(400, kPush, 0.015));
+}
+
 TEST_CASE("while a gamepad is in use the list names its parts, each with one effect") {
     const KeySituation weld{.lesson = true,
                             .seam = true,

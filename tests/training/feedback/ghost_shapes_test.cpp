@@ -104,6 +104,24 @@ TEST_CASE("the words stand where the torch came from, and on the other side wher
     CHECK(middleOf(0) > 5e-3F);
 }
 
+TEST_CASE("the words stand above the cues' board if that is on their side", "[training]") {
+    const Stage stage;
+    GhostShapes shapes;
+    const CueEye eye = stage.eyeAt(0, 40, 0.2F);
+    // Returns the lower edge of the words' background over the pool, as a share of the eye's distance.
+    const auto lowerEdge = [&](float boardSide) {
+        const GhostLook look{1, 1, stage.hand, {}, boardSide};
+        const auto markers = shapes.build(stage.moment, stage.words, stage.gmaw, stage.seam, look, eye, glm::mat4(1));
+        const glm::mat4& ground = markers[partsOfTorch(markers)].toWorld;
+        const glm::vec3 toEye = glm::normalize(eye.position - stage.pool);
+        const glm::vec3 up = glm::cross(toEye, glm::normalize(glm::cross(eye.up, toEye)));
+        return glm::dot(glm::vec3(ground * glm::vec4(0, -0.5F, 0, 1)) - stage.pool, up) / 0.2F;
+    };
+    CHECK(std::abs(lowerEdge(0)) < 0.01F);
+    CHECK(std::abs(lowerEdge(1)) < 0.01F);
+    CHECK(lowerEdge(-1) > kCueBoardHeight);
+}
+
 TEST_CASE("a ghost fades as a whole, and is gone in the end; without words only its torch is drawn", "[training]") {
     const Stage stage;
     GhostShapes shapes;
