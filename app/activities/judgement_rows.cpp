@@ -87,6 +87,7 @@ void addTechnique(JudgementRows& rows, const Judgement& judgement, const Techniq
         rows.technique.note = phrase("judgement.hand.not_scored");
         return;
     }
+    rows.scored = true;
     rows.score = phrase("judgement.score.points", {{"points", rounded(score.total, 0)}});
     rows.scoreNote = phrase("judgement.score.welded",
                             {{"welded", rounded(score.weldedMm, 0)}, {"wanted", rounded(score.wantedMm, 0)}});

@@ -38,6 +38,7 @@ struct CureRow {
 };
 
 struct JudgementRows {
+    bool scored = false;     ///< `score` has points
     std::string score;       ///< "Score 84 of 100", or a text that there is none
     std::string scoreNote;   ///< reason for a missing score, or the welded share of the seam
     std::string verdict;     ///< "Accepted", "Not accepted", or a text that there is none; the standard is in `judged`

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 
 namespace meltpool {
@@ -290,7 +291,10 @@ std::optional<glm::vec3> HeadsetFrontEnd::torchEnd(const LessonSession& session)
 void HeadsetFrontEnd::drawNotice(const LessonSession& session, const LessonFigures& figures, const Messages& messages,
                                  double elapsed) {
     const std::string_view way = again_.holds() ? std::string_view() : wayToWork(session);
-    notice_.text.compose(messages, figures, place_.zoom, way.empty() ? quietSentence(session) : way);
+    const std::array<std::string_view, 2> lines{way, phrase("headset.notice.visor")};
+    const size_t told = way.empty() ? 0 : view_.visorDown(session) ? 2 : 1;
+    notice_.text.compose(messages, figures, place_.zoom, way.empty() ? quietSentence(session) : std::string_view(),
+                         std::span(lines).first(told));
     if (!drawn_ || notice_.text.text().empty()) return;
     guarded([&] {
         xr::Headset& headset = *connection_.headset();
@@ -298,7 +302,7 @@ void HeadsetFrontEnd::drawNotice(const LessonSession& session, const LessonFigur
             !notice_.text.warnings().empty() || !figures.caption.empty() || again_.holds() || !way.empty();
         notice_.place.update(nearTorch, workshop_.toWorkshop(head()), torchEnd(session), parameters_.tableHeight,
                              elapsed, panel_.open() ? std::optional(panel_.pose()) : std::nullopt);
-        const bool fresh = notice_.draw(headset.notice(), connection_.openings(), elapsed);
+        const bool fresh = notice_.draw(headset.notice(), connection_.openings(), view_.dark(session), elapsed);
         const xr::Pose pose = workshop_.toSession(notice_.place.pose());
         headset.showNotice(pose, notice_.place.width(), fresh);
         mirror_.addFlat(headset.notice(), pose, notice_.place.width());

@@ -117,7 +117,7 @@ void HeadsetMenu::lessonPart(ui::Context& context, LessonSession& session, const
         ui::resultHead(context, session, content.home);
     else
         plainText(session.lesson().text);
-    if (session.running()) ui::quietText(context, figuresText(content.figures));
+    if (session.running() && !session.attempt().judged()) ui::quietText(context, figuresText(content.figures));
     if (!content.warning.empty()) ui::quietText(context, content.warning);
     ImGui::Dummy({0, context.points(4)});
     if (session.question().asked()) return ui::questionPart(context, session.question());

@@ -64,13 +64,16 @@ void NoticeText::addLine(std::string_view line) {
     text_[length_++] = '\n';
 }
 
-void NoticeText::compose(const Messages& messages, const LessonFigures& figures, float zoom, std::string_view task) {
+void NoticeText::compose(const Messages& messages, const LessonFigures& figures, float zoom, std::string_view task,
+                         std::span<const std::string_view> way) {
     length_ = 0;
     const auto warns = [](const Message& m) { return m.topic == kDeskTopic || m.kind == Message::Kind::warning; };
     auto left = static_cast<size_t>(std::count_if(messages.shown().begin(), messages.shown().end(), warns));
     for (const Message& message : messages.shown())
         if (warns(message) && left-- <= kMostWarnings) addLine(message.text);
     quietFrom_ = length_;
+    for (const std::string_view line : way)
+        addLine(line);
     if (quietFrom_ == 0 && !task.empty()) addLine(wholeSentences(task));
     // Slow metal warns by a sentence with advice at first; its figure stays, where it covers no torch.
     const auto isSlow = [](const Message& m) { return m.topic == kSlowTopic; };
@@ -126,10 +129,11 @@ void NoticePlace::update(bool atTorch, const xr::Pose& head, const std::optional
     width_ = widthAt(distance);
 }
 
-bool HeadsetNotice::draw(const xr::Panel& picture, int opening, double elapsed) {
-    if (opening_ == opening && drawn_.text() == text.text()) return false;
+bool HeadsetNotice::draw(const xr::Panel& picture, int opening, bool dimmed, double elapsed) {
+    if (opening_ == opening && dimmed_ == dimmed && drawn_.text() == text.text()) return false;
     drawn_ = text;
     opening_ = opening;
+    dimmed_ = dimmed;
     if (panel_ == nullptr)
         panel_ = std::make_unique<HeadsetPanel>(kShape.widthPixels, kShape.heightPixels, HeadsetPanel::Ground::clear,
                                                 kTextScale);
@@ -158,6 +162,8 @@ void HeadsetNotice::drawText(ui::Context& context) const {
     if (!warnings.empty()) ui::fillRounded(*draw, corner, {corner.x + pad / 2, end.y}, ui::colour::kWarning, 0);
     add(warnings, top + pad, ui::colour::kText);
     add(quiet, top + pad + first, warnings.empty() ? ui::colour::kText : ui::colour::kQuiet);
+    // Bright letters would outshine the pool behind a dark filter.
+    if (dimmed_) ui::fillRounded(*draw, corner, end, IM_COL32(0, 0, 0, 150), context.points(6));
 }
 
 } // namespace meltpool

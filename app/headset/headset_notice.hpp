@@ -9,6 +9,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string_view>
 
 namespace meltpool {
@@ -16,10 +17,11 @@ namespace meltpool {
 /// Builds the notice's text in each frame without allocating.
 class NoticeText {
   public:
-    /// Lines up the newest warnings and what the desk did; below them the task (as many whole sentences as fit, only
-    /// without a warning), the figure of slow metal unless a warning has it, the caption of sounds, and the zoom unless
-    /// it is 1.
-    void compose(const Messages& messages, const LessonFigures& figures, float zoom, std::string_view task = {});
+    /// Lines up the newest warnings and what the desk did; below them the way to the work, the task (as many whole
+    /// sentences as fit, only without a warning), the figure of slow metal unless a warning has it, the caption of
+    /// sounds, and the zoom unless it is 1.
+    void compose(const Messages& messages, const LessonFigures& figures, float zoom, std::string_view task = {},
+                 std::span<const std::string_view> way = {});
 
     /// Whole text, one message a line.
     std::string_view text() const { return {text_.data(), length_}; }
@@ -75,8 +77,8 @@ class HeadsetNotice {
     NoticePlace place;
 
     /// Draws the text into the picture if it has changed, or if `opening` of the headset is a new one, whose picture is
-    /// empty. Returns false if the picture is unchanged.
-    bool draw(const xr::Panel& picture, int opening, double elapsed);
+    /// empty. `dimmed`: the person looks through a dark visor. Returns false if the picture is unchanged.
+    bool draw(const xr::Panel& picture, int opening, bool dimmed, double elapsed);
 
   private:
     void drawText(ui::Context& context) const;
@@ -84,6 +86,7 @@ class HeadsetNotice {
     std::unique_ptr<HeadsetPanel> panel_; ///< made at the first draw
     NoticeText drawn_;
     int opening_ = 0; ///< opening in which it was drawn
+    bool dimmed_ = false;
 };
 
 } // namespace meltpool

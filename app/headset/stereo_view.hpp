@@ -29,6 +29,11 @@ class StereoView {
     /// See WornVisor::sentence().
     std::string_view dazzled() const { return visor_.sentence(parameters_); }
 
+    /// Returns true if the trainee looks through a visor that the arc will darken.
+    bool visorDown(const LessonSession& session) const {
+        return parameters_.visor && isArcWelding(session.lesson().process);
+    }
+
     /// Returns true if the trainee sees little but the arc, through a dark visor.
     bool dark(const LessonSession& session) const {
         return session.running() && isArcWelding(session.lesson().process) && visor_.hides(parameters_);

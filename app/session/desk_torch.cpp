@@ -31,6 +31,7 @@ constexpr double kInto = -0.5 * kMm;   // of an electrode or iron, which touches
 constexpr double kLongest = 60 * kMm;
 constexpr double kRise = 4 * kMm;      // m/s at which a hand rises with the growing pool
 constexpr double kKeyRamp = 0.12;      // s in which the keys' speed changes
+constexpr double kUsualSpeed = 6 * kMm; // m/s of the keys in a lesson that asks for none
 constexpr float kSteepSeam = 0.4F;     // of the seam's direction on the screen, to the side
 constexpr double kStickAside = 0.5;    // share of a stick's push that counts as its error to the other side
 constexpr double kPointsPerMove = 100; // points of mouse travel per move of ControlParameters::torchMouse
@@ -115,6 +116,7 @@ void DeskTorch::begin(const Lesson& lesson) {
         pool_ = std::max(expertDistance(lesson, *seam_).value_or(wanted_.distance) - wanted_.distance, 0.0);
     wanted_.work = idealOf(lesson, TechniqueQuantity::workAngle, 0);
     wanted_.travel = idealOf(lesson, TechniqueQuantity::travelAngle, 0);
+    askedSpeed_ = std::abs(idealOf(lesson, TechniqueQuantity::travelSpeed, kUsualSpeed));
     const double first = lesson.technique ? lesson.technique->lengthFromMm * kMm : seam_->begin() + kRunUp;
     // The end of the plate is no metal to strike on.
     wanted_.place = std::max(first - kRunUp, seam_->begin() + kFromEnd);
@@ -122,7 +124,7 @@ void DeskTorch::begin(const Lesson& lesson) {
     left_ = time_ = 0;
     keyPace_ = {};
     keyWays_ = glm::dmat2(0);
-    guided_ = aside_ = false;
+    guided_ = paced_ = aside_ = false;
     weave_.begin(lesson.torch);
     hold_ = lesson.torch.rod().value_or(RodHold{});
     hold_.feed = hold_.feed > 0 ? hold_.feed / kRodShare : kRodFeed;
@@ -152,7 +154,9 @@ void DeskTorch::update(const InputFrame& input, const DeskFrame& frame, const Co
     const auto pointWay = parameters.torchMouse * static_cast<float>(kMm / kPointsPerMove);
     lead(glm::vec2(input.mouseMove.x, -input.mouseMove.y) * pointWay, frame.toScreen);
     takeKeys(input);
-    leadByKeys(input, frame, static_cast<double>(parameters.keySpeed) * kMm);
+    const double keySpeed = static_cast<double>(parameters.keySpeed) * kMm;
+    leadByKeys(input, frame, keySpeed > 0 ? keySpeed : askedSpeed_);
+    keysKeepPace_ = keySpeed <= 0 && std::abs(keyPace_.x) > 0.5;
     takeGamepad(input.gamepad, frame, static_cast<double>(parameters.gamepadSpeed) * kMm);
     if (!seam_->closed()) wanted_.place = std::clamp(wanted_.place, seam_->begin() - kBeyond, seam_->end() + kBeyond);
     wanted_.aim = std::clamp(wanted_.aim, -kFarthest, kFarthest);
@@ -242,7 +246,7 @@ void DeskTorch::noteLed(const DeskPose& target) {
 
 QuantitySet DeskTorch::held() const {
     QuantitySet held = ~led_;
-    if (guided_) held.set(static_cast<size_t>(TechniqueQuantity::travelSpeed));
+    if (guided_ || paced_) held.set(static_cast<size_t>(TechniqueQuantity::travelSpeed));
     return held;
 }
 
@@ -250,6 +254,7 @@ TorchSample DeskTorch::next(int step, int due, double seconds, float burntOff, f
     aside_ = aside_ && trigger <= 0;
     if (trigger > 0) { // guide and tremor go on by themselves; only the hand's own way is divided among the steps
         guided_ = guided_ || guide_ > 0;
+        paced_ = paced_ || keysKeepPace_;
         const double way = std::min(guide_ * seconds, wayLeft());
         left_ += way;
         held_.place += way;

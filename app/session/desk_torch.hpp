@@ -110,6 +110,9 @@ class DeskTorch {
     DeskPose held_;   ///< pose at the last step
     double pool_ = 0; ///< m by which the demonstration is held higher, over its pool
     double rise_ = 0; ///< m of that which this torch has risen
+    double askedSpeed_ = 0;     ///< m/s, travel speed that the lesson asks for
+    bool keysKeepPace_ = false; ///< the keys lead along the seam at that speed
+    bool paced_ = false;        ///< and did so while the torch welded, since begin()
     glm::dvec2 keyPace_{0}; ///< share of the keys' speed along and across the seam
     glm::dmat2 keyWays_{0}; ///< turns held arrows, x right and y up, into ways along and across
     double left_ = 0; ///< m that the guide went beyond the hand's own way

@@ -32,8 +32,9 @@ ParameterList describe(ControlParameters& p) {
          "Moves a welding torch along the seam while it welds. At 0 the mouse leads it."},
         {"hand_tremor", "Hand tremor", "", &p.tremor, 0, 4,
          "Makes a welding torch tremble like a hand. 1 is 0.3 mm and 2 degrees at 8 Hz; 0 is still."},
-        {"key_speed_mm_s", "Speed of the keys", "mm/s", &p.keySpeed, 1, 30,
-         "Speed of a welding torch while you hold Shift and an arrow key."},
+        {"key_speed_mm_s", "Speed of the keys", "mm/s", &p.keySpeed, 0, 30,
+         "Speed of a welding torch while you hold Shift and an arrow key. At 0 it is the speed that the lesson asks "
+         "for."},
         {"space_latch", "Space starts and stops the weld", "", &p.spaceLatch, 0, 1,
          "Press the space bar once to weld and once more to stop, instead of holding it."},
         {"gamepad_speed_mm_s", "Speed of a gamepad's stick", "mm/s", &p.gamepadSpeed, 1, 60,

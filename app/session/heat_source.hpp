@@ -18,7 +18,7 @@ struct ControlParameters {
     float torchMouse = 8;          ///< mm of a welding torch for 100 points of mouse travel
     float guideSpeed = 0;          ///< mm/s at which a welding torch travels along the seam by itself while it welds
     float tremor = 0;              ///< tremor of the hand with a welding torch, as a multiple of a practised one's
-    float keySpeed = 6;            ///< mm/s of a welding torch with Shift and an arrow key held
+    float keySpeed = 0;            ///< mm/s of a welding torch with Shift and an arrow key held; 0: the lesson's
     bool spaceLatch = false;       ///< true: the space bar starts and stops the weld; false: it welds while held
     float gamepadSpeed = 15;       ///< mm/s of a welding torch with a gamepad's stick pushed all the way
 };

@@ -51,6 +51,13 @@ std::string_view sentenceOf(const ArcState& arc, Striking striking) {
     return key.empty() ? key : phrase(key);
 }
 
+/// Key of the sentence about slow metal that fits the torch's leader.
+std::string_view slowKey(LessonSession& session) {
+    if (session.leader() == TorchLeader::hand) return "notice.slow.hand";
+    const bool mouse = session.leader() == TorchLeader::desk && session.deskTorch().leads();
+    return mouse ? "notice.slow.mouse" : "notice.slow.sentence";
+}
+
 } // namespace
 
 std::string_view ArcNotice::update(const ArcState& arc, Striking striking, double elapsed) {
@@ -59,7 +66,7 @@ std::string_view ArcNotice::update(const ArcState& arc, Striking striking, doubl
     return waiting_ > kPatience || wentOut(arc.noArc) ? sentence : std::string_view();
 }
 
-std::string_view SlowNotice::update(double speed, bool burns, double elapsed) {
+std::string_view SlowNotice::update(double speed, bool burns, double elapsed, std::string_view key) {
     slowFor_ = speed < kSlow ? slowFor_ + elapsed : 0;
     told_ = told_ ? speed <= kKeepsUp : slowFor_ >= kPatience;
     burned_ = burned_ || burns;
@@ -71,7 +78,7 @@ std::string_view SlowNotice::update(double speed, bool burns, double elapsed) {
     const PhraseNumber number(shown);
     text_.clear();
     appendPhrase(text_, "notice.slow.figure", {{"percent", number}});
-    if (sentenceFor_ < kSentence) appendPhrase(sentence_, "notice.slow.sentence", {{"percent", number}});
+    if (sentenceFor_ < kSentence) appendPhrase(sentence_, key, {{"percent", number}});
     sentenceFor_ += elapsed;
     return text_;
 }
@@ -107,7 +114,8 @@ void Notices::update(LessonSession& session, LessonFigures& figures, const Trigg
     std::string_view sentence;
     if (session.activities().allowed().ownTorch) {
         // A paused metal has no speed.
-        if (!session.paused()) figures.slow = slow_.update(figures.speed, session.run().arc().burns(), elapsed);
+        if (!session.paused())
+            figures.slow = slow_.update(figures.speed, session.run().arc().burns(), elapsed, slowKey(session));
         sentence = arc_.update(session.run().arc(), traitsOf(session.lesson().process).striking, elapsed);
         if (session.attempt().cues().withheld(CueKind::arc)) sentence = {};
         if (lock.holdsBack()) sentence = arcOutSentence(lock.reason());

@@ -34,8 +34,9 @@ class SlowNotice {
     static constexpr double kPatience = 0.5;               ///< s
 
     /// Returns a few words for a row of figures; empty: it keeps up. `speed`: of the metal over real time. `burns`: the
-    /// torch heats the metal. Both texts are valid until the next call, which reuses their memory.
-    std::string_view update(double speed, bool burns, double elapsed);
+    /// torch heats the metal. `key`: of the sentence. Both texts are valid until the next call, which reuses their
+    /// memory.
+    std::string_view update(double speed, bool burns, double elapsed, std::string_view key = "notice.slow.sentence");
     /// Sentence for the last words, with the consequence for the weld; empty once the attempt has shown it.
     std::string_view sentence() const { return sentence_; }
     /// Starts another attempt, in which the sentence may be shown again. Keeps the texts' memory.

@@ -174,13 +174,13 @@ void KeyGuide::addTorch(const KeySituation& now) {
     }
     if (!now.caught) addMouse(now); // without it the mouse leads only while a button is held
     add(mouse(kHere, "help.key.mouse", "help.torch_along_the_seam", "bar.hint.along_seam"), "help.pad.left_stick");
+    add(keys(kHere, {Key::shift}, "help.torch_by_keys", "bar.hint.along_seam", "help.key.shift_arrows"));
     add(keys(kHere, {Key::pageUp, Key::pageDown}, "help.torch_near_and_far", "bar.hint.arc_length",
              "help.key.wheel_or_page_keys"),
         "help.pad.shoulders");
     add(keys(kHere, {Key::left, Key::right, Key::up, Key::down}, "help.lean_the_torch", "bar.hint.lean",
              "help.key.arrow_keys"),
         "help.pad.right_stick");
-    add(keys(kHere, {Key::shift}, "help.torch_by_keys", {}, "help.key.shift_arrows"));
 }
 
 void KeyGuide::addWeld(const KeySituation& now) {

@@ -135,6 +135,13 @@ std::string bestText(LessonSession& session, const Home& home) {
     return best == nullptr ? std::string() : bestScoreText(*best);
 }
 
+void verdictPart(Context& context, const JudgementRows& rows, ImFont& font) {
+    ImGui::PushFont(&font);
+    wrapped(rows.verdict, tintOf(rows.verdictState));
+    ImGui::PopFont();
+    if (!rows.verdictNote.empty()) quietText(context, rows.verdictNote);
+}
+
 } // namespace
 
 std::optional<size_t> curesPart(Context& context, std::span<const CureRow> cures, bool tries) {
@@ -164,7 +171,10 @@ float resultReach(const Context& context) {
 void resultHead(Context& context, LessonSession& session, const Home& home) {
     const JudgementRows& rows = session.attempt().judged()->rows;
     const std::string best = bestText(session, home);
-    ImGui::PushFont(context.fonts.title);
+    // Without a score the verdict is the news.
+    const bool verdictFirst = !rows.scored && rows.verdictState != RowState::plain;
+    if (verdictFirst) verdictPart(context, rows, *context.fonts.title);
+    ImGui::PushFont(verdictFirst ? context.fonts.strong : context.fonts.title);
     ImGui::TextUnformatted(rows.score.c_str());
     ImGui::PopFont();
     markItem(context, "result.score");
@@ -173,10 +183,7 @@ void resultHead(Context& context, LessonSession& session, const Home& home) {
     if (!best.empty()) quietText(context, best);
     if (session.log().redo().redone() > 0) quietText(context, phrase("result.note.practice"));
     quietText(context, rows.scoreNote);
-    ImGui::PushFont(context.fonts.strong);
-    wrapped(rows.verdict, tintOf(rows.verdictState));
-    ImGui::PopFont();
-    if (!rows.verdictNote.empty()) quietText(context, rows.verdictNote);
+    if (!verdictFirst) verdictPart(context, rows, *context.fonts.strong);
 }
 
 std::string_view brightResultButton(bool judged, bool accepted, bool hasNext) {

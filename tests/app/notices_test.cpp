@@ -6,6 +6,8 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
+#include <array>
+
 using namespace meltpool;
 
 namespace {
@@ -197,6 +199,10 @@ TEST_CASE("the notice hangs below the panel that the person looks at, and tells 
     messages.warn("one", 0);
     notice.compose(messages, figures, 1.0f, "Set 20 V.");
     CHECK(notice.text() == "one\n");
+    const std::array<std::string_view, 2> way{"Look down.", "Green is the visor."};
+    notice.compose(messages, figures, 1.0f, {}, way);
+    CHECK(notice.warnings() == "one\n");
+    CHECK(notice.quiet() == "Look down.\nGreen is the visor.\n");
 }
 
 TEST_CASE("below the panel aside the whole notice is in the view of a person who looks ahead", "[app]") {

@@ -33,6 +33,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
 #include <iomanip>
 #include <optional>
 #include <sstream>
@@ -56,10 +57,11 @@ class OrderFile {
   public:
     explicit OrderFile(fs::path file) : file_(std::move(file)) { std::ofstream(file_, std::ios::app).flush(); }
 
-    /// Waits for the next line; empty after ten minutes without one.
-    std::optional<std::string> next() {
+    /// Waits for the next line and calls `meanwhile` ten times a second; empty after ten minutes without a line.
+    std::optional<std::string> next(const std::function<void()>& meanwhile) {
         constexpr auto kPatient = std::chrono::minutes(10);
         for (const auto end = Clock::now() + kPatient; Clock::now() < end; sleepFor(0.1)) {
+            meanwhile();
             const std::string text = readTextFile(file_);
             const size_t stop = text.find('\n', read_);
             if (stop == std::string::npos) continue;
@@ -99,6 +101,15 @@ class Wearer {
             ++count;
         return (count == 4 && movesTorch(what, given)) || (count < 4 && looks(what, given, count)) ||
                (count < 4 && acts(what, given, count));
+    }
+
+    /// Sways the head as a person's: one that lies still counts as put aside, and puts the workshop elsewhere next.
+    void sway() {
+        constexpr float kSway = 3 * kMm;
+        swayed_ += 0.4F;
+        RemoteState state = trainee_.state;
+        state.head.position += kSway * glm::vec3(std::sin(swayed_), 0, std::sin(0.7F * swayed_));
+        trainee_.driver.send(state);
     }
 
   private:
@@ -224,6 +235,7 @@ class Wearer {
     Trainee& trainee_;
     TrainerProcess& trainer_;
     glm::vec2 eye_{0};                  ///< pixels of an eye's picture
+    float swayed_ = 0;                  ///< rad
     glm::vec3 tip_{0.25F, 1.1F, -0.4F}; ///< of the torch, in the session's space
 };
 
@@ -252,7 +264,7 @@ TEST_CASE("somebody wears the headset through a file of orders", "[.][orders]") 
         name << "eyes-" << std::setw(3) << std::setfill('0') << number++ << ".png";
         writePng(folder / name.str(), screenshot());
         answers << name.str() << ": " << order << (done ? "" : " (no such order)") << std::endl;
-        order = orders.next().value_or("end");
+        order = orders.next([&] { wearer.sway(); }).value_or("end");
     }
     CHECK(trainer.stop() == 0);
 }

@@ -22,12 +22,18 @@ int demandedDirection(const TechniqueBands* bands) {
     return bands->direction == TravelDirection::forward ? 1 : -1;
 }
 
-/// Present values of the hand; the travel angle counts along the demanded direction while none is sensed.
+/// Present values of the hand as cues show them; the travel angle counts along the demanded direction while none is
+/// sensed.
 TechniqueValues valuesOf(const Technique& technique, const TechniqueBands& bands) {
     TechniqueValues values = technique.now();
     const int demanded = demandedDirection(&bands);
     double& angle = values[TechniqueQuantity::travelAngle];
     if (std::isnan(angle) && demanded != 0) angle = demanded * technique.steps().back().lean;
+    // From a contact tip that was pushed into the metal no surface is ahead: it is too near by its depth.
+    double& distance = values[TechniqueQuantity::distance];
+    const double height = values[TechniqueQuantity::height];
+    const bool fromTip = technique.settings().distance == DistanceKind::ctwd;
+    if (std::isnan(distance) && fromTip && height < 0) distance = height;
     return values;
 }
 

@@ -8,6 +8,8 @@
 #include "tests/support/gl_fixture.hpp"
 #include "tests/training/judging/synthetic_weld.hpp"
 
+#include <limits>
+
 using namespace meltpool;
 using test::Hand;
 
@@ -112,6 +114,19 @@ TEST_CASE("what is not known has no cue; before the strike the demanded directio
     TechniqueBands weaving = bandsOfBead();
     weaving.bands.push_back({TechniqueQuantity::weaveWidth, 6, 1, 3});
     CHECK(cuesOf(technique, weaving).find(TechniqueQuantity::aim) == nullptr);
+}
+
+TEST_CASE("a contact tip that was pushed into the metal is too near by its depth", "[training]") {
+    Hand hand;
+    hand.burns = false;
+    hand.distanceMm = std::numeric_limits<double>::infinity(); // no surface is ahead of it
+    hand.tipHeightMm = -4;
+    const CueList pushedIn = cuesOf(weldAt(0, hand), bandsOfBead());
+    REQUIRE(pushedIn.find(TechniqueQuantity::distance) != nullptr);
+    CHECK(pushedIn.find(TechniqueQuantity::distance)->offset == Approx(-19).margin(0.02));
+    CHECK(pushedIn.find(TechniqueQuantity::distance)->zone == BandZone::beyond);
+    hand.tipHeightMm = 20;
+    CHECK(cuesOf(weldAt(0, hand), bandsOfBead()).find(TechniqueQuantity::distance) == nullptr);
 }
 
 TEST_CASE("travel against the demanded direction is a speed below zero", "[training]") {
