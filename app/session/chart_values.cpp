@@ -118,6 +118,13 @@ std::string noRow(const Lesson& lesson) {
                          {"gas", gas}});
 }
 
+/// Returns the tip-to-work distance that the lesson asks for, at which the wire carries its current; m.
+std::optional<double> askedTipDistance(const Lesson& lesson) {
+    if (!lesson.technique || lesson.technique->distance != DistanceKind::ctwd) return std::nullopt;
+    const TechniqueBand* band = lesson.technique->find(TechniqueQuantity::distance);
+    return band == nullptr ? std::nullopt : std::optional(band->ideal / kInMm);
+}
+
 } // namespace
 
 bool ChartValues::applies() const {
@@ -147,7 +154,8 @@ void ChartValues::update() {
     rows_.clear();
     shown_ = 0;
     const LoadedCharts& charts = loadedCharts();
-    for (const StartingValues& values : fittingStartingValues(charts.rows, lesson_.workpiece, lesson_.process))
+    for (const StartingValues& values :
+         fittingStartingValues(charts.rows, lesson_.workpiece, lesson_.process, askedTipDistance(lesson_)))
         rows_.push_back(shownRow(values));
     notice_ = !charts.fault.empty() ? charts.fault : rows_.empty() ? noRow(lesson_) : std::string();
 }

@@ -233,8 +233,9 @@ StartingValues startingValues(const ChartRow& row, double diameter, const Shield
 }
 
 std::vector<StartingValues> fittingStartingValues(std::span<const ChartRow> rows, const WorkpieceParameters& plates,
-                                                  const ProcessSettings& process) {
+                                                  const ProcessSettings& process, std::optional<double> tipDistance) {
     const Equipment tools = equipmentOf(process);
+    const double distance = tipDistance.value_or(tools.heldBehind);
     const double thickness = static_cast<double>(plates.thicknessMm) * kMm;
     const double consumable = std::max(tools.wire, tools.electrode);
     const auto fits = [&](const ChartRow& row) {
@@ -248,8 +249,8 @@ std::vector<StartingValues> fittingStartingValues(std::span<const ChartRow> rows
     };
     std::vector<StartingValues> found;
     for (const ChartRow& row : rows)
-        if (fits(row)) found.push_back(startingValues(row, tools.wire, tools.gas, tools.heldBehind));
-    const double set = tools.wire > 0 ? WireMelting::steel(tools.wire).current(tools.wireSpeed, tools.heldBehind) : 0;
+        if (fits(row)) found.push_back(startingValues(row, tools.wire, tools.gas, distance));
+    const double set = tools.wire > 0 ? WireMelting::steel(tools.wire).current(tools.wireSpeed, distance) : 0;
     const auto order = [&](const StartingValues& values) {
         const ChartRow& row = *values.row;
         const double off = row.thickness ? std::abs(row.thickness->middle() - thickness) : 0;

@@ -77,11 +77,12 @@ StartingValues startingValues(const ChartRow& row, double diameter, const Shield
 
 /// Returns the settings of all rows that fit these plates, this process and its wire and gas, the best row first: with
 /// a thickness, then read in a source, then (without a thickness) with the current of the set feed in its range, then
-/// of this gas, then of the nearest thickness. Plates may differ from a row's
-/// by kChartSlack, wires by kWireSlack. A row for carbon dioxide serves for a mix of argon and carbon dioxide and the
-/// other way round, but not in spray.
+/// of this gas, then of the nearest thickness. Plates may differ from a row's by kChartSlack, wires by kWireSlack. A
+/// row for carbon dioxide serves for a mix of argon and carbon dioxide and the other way round, but not in spray.
+/// `tipDistance`: as above; empty: the stick-out.
 std::vector<StartingValues> fittingStartingValues(std::span<const ChartRow> rows, const WorkpieceParameters& plates,
-                                                  const ProcessSettings& process);
+                                                  const ProcessSettings& process,
+                                                  std::optional<double> tipDistance = {});
 
 /// Returns the position as charts name it: plates that lie as they are made are a level fillet, 2F, or a level seam,
 /// 1G.

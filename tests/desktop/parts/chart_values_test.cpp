@@ -69,6 +69,18 @@ TEST_CASE("the panel shows the middle and the range of a maker's row for the les
     CHECK(tee.chart().notice() == "No chart row for tee, 3 mm of s235, 2F, wire of 1.2 mm, gas Ar.");
 }
 
+TEST_CASE("a lesson's wire feed is near the first row's for the distance at which the lesson is welded", "[chart]") {
+    for (const char* name : {"tee-fillet", "tee-thin", "lap-2f", "butt-1g", "tee-3f"}) {
+        INFO(name);
+        Opened lesson(name);
+        REQUIRE_FALSE(lesson.chart().rows().empty());
+        const auto feed = lesson.chart().shown().values.feed;
+        REQUIRE(feed);
+        const double set = double(settingOf(lesson.sections, "wire_feed_m_min")) / 60;
+        CHECK(set / feed->middle() == Approx(1).epsilon(0.12));
+    }
+}
+
 TEST_CASE("trade knowledge is marked, stick and tungsten have their rows, and a flame has none", "[chart]") {
     CHECK(has(Opened("corner-1f").chart().shown().notes, "Trade knowledge: no source was checked."));
     Opened stick("smaw-tee");
