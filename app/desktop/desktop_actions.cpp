@@ -142,6 +142,7 @@ void DesktopApp::reset() {
         start(&LessonSession::begin);
     else
         session_.reset(controls_);
+    if (!session_.attempt().judged() && !session_.question().asked()) menus_.panels.result = false;
     controls_.takeBackMouse();
 }
 
