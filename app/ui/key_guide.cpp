@@ -173,8 +173,8 @@ void KeyGuide::addTorch(const KeySituation& now) {
         return;
     }
     if (!now.caught) addMouse(now); // without it the mouse leads only while a button is held
-    add(mouse(kHere, "help.key.mouse", "help.torch_along_the_seam", now.caught ? "bar.hint.along_seam" : ""),
-        "help.pad.left_stick");
+    const std::string_view leading = now.caught ? "help.key.mouse" : "help.key.mouse_pressed";
+    add(mouse(kHere, leading, "help.torch_along_the_seam", "bar.hint.along_seam"), "help.pad.left_stick");
     add(keys(kHere, {Key::shift}, "help.torch_by_keys", "bar.hint.along_seam", "help.key.shift_arrows"));
     add(keys(kHere, {Key::pageUp, Key::pageDown}, "help.torch_near_and_far", "bar.hint.arc_length",
              "help.key.wheel_or_page_keys"),

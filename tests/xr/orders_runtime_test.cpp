@@ -1,7 +1,7 @@
 // Lets somebody wear the headset who sees nothing but pictures of both eyes: reads orders from a file and answers each
 // with a picture. Not among the ordinary tests: a person, or another program, has to write the orders.
 //
-// Full size as in sight_runtime_test.cpp, with a smaller screen:
+// Needs XRT_COMPOSITOR_XCB_FULLSCREEN=1, so that each eye fills half of the screen (MELTPOOL_XR_SCREEN=1440x810x24):
 //   MELTPOOL_XR_ORDERS=FOLDER tests/xr/run_on_monado.sh build/release/bin/test_xr_runtime "[orders]"
 //
 // Orders are lines of FOLDER/orders.txt, appended one by one. Pixels are those of the left eye's half of the picture,
@@ -21,7 +21,7 @@
 //   wait T                  waits
 //   end                     ends the program
 //
-// FOLDER/answers.txt gets a line for each: number, picture, order; with a fault if it was none.
+// FOLDER/answers.txt gets a line for each: picture and order, and "no such order" for others.
 #include "core/base/text.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/xr/trainee.hpp"
