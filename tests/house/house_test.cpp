@@ -11,6 +11,7 @@
 #include <map>
 #include <regex>
 #include <set>
+#include <sstream>
 
 namespace meltpool {
 
@@ -299,8 +300,8 @@ TEST_CASE("no class has more than 40 public functions, and none with functions m
         const auto large = std::find_if(kLargeClasses.begin(), kLargeClasses.end(),
                                         [&](const LargeClass& known) { return known.name == size.name; });
         const bool listed = large != kLargeClasses.end();
-        INFO(each.place << ": " << size.name << " has " << size.publicFunctions << " public functions and " << size.members
-                << " members" << (listed ? "; a class of kLargeClasses may only shrink" : ""));
+        INFO(each.place << ": " << size.name << " has " << size.publicFunctions << " public functions and "
+                        << size.members << " members" << (listed ? "; a class of kLargeClasses may only shrink" : ""));
         CHECK(size.publicFunctions <= std::max(kMostPublicFunctions, listed ? large->publicFunctions : 0));
         if (isRecord(size)) continue;
         CHECK(size.members <= std::max(kMostMembers, listed ? large->members : 0));
@@ -331,6 +332,23 @@ TEST_CASE("no function is longer than 70 lines") {
             CHECK(function.lines <= kMostLines);
         }
     CHECK(functions > 1000);
+}
+
+TEST_CASE("tests are left out by [long] and [by_hand], for Catch2 2 and 3 hide tests differently") {
+    int cases = 0;
+    for (const SourceFile& file : test::readSources(test::sourceFolder(), {"tests"}, {".cpp"})) {
+        std::istringstream lines(file.text);
+        int number = 0;
+        for (std::string line; std::getline(lines, line);) {
+            ++number;
+            if (line.rfind("TEST_CASE", 0) != 0) continue;
+            ++cases;
+            const bool hidden = line.find("\"[.") != std::string::npos || line.find("][.") != std::string::npos;
+            INFO(file.path.generic_string() << ":" << number << ": " << line << "; expected the tag [by_hand]");
+            CHECK_FALSE(hidden);
+        }
+    }
+    CHECK(cases > 1000);
 }
 
 TEST_CASE("nothing outside core/weld/process asks which process it is: others ask the traits") {

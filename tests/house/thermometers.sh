@@ -13,5 +13,5 @@ fi
 figures=$(mktemp)
 trap 'rm -f "$figures"' EXIT
 MELTPOOL_COMMIT=$(git -C "$tree" describe --always --dirty) MELTPOOL_TREE=$tree MELTPOOL_THERMOMETERS=$figures \
-    "$build/bin/test_house" '[.thermometers]' >&2
+    "$build/bin/test_house" '[thermometers]' >&2
 cat "$figures"

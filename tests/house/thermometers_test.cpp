@@ -136,7 +136,7 @@ TEST_CASE("small folders, small files and the largest classes are listed") {
 }
 
 /// This test is run by tests/house/thermometers.sh, which names tree and file.
-TEST_CASE("the thermometers of a tree are written", "[.thermometers]") {
+TEST_CASE("the thermometers of a tree are written", "[by_hand][thermometers]") {
     Json json{{"commit", variable("MELTPOOL_COMMIT", "")}};
     json.update(measured(variable("MELTPOOL_TREE", sourceFolder().string())));
     std::ofstream out(variable("MELTPOOL_THERMOMETERS", (buildFolder() / "thermometers.json").string()));

@@ -241,7 +241,7 @@ class Wearer {
 
 } // namespace
 
-TEST_CASE("somebody wears the headset through a file of orders", "[.][orders]") {
+TEST_CASE("somebody wears the headset through a file of orders", "[by_hand][orders]") {
     const char* given = std::getenv("MELTPOOL_XR_ORDERS");
     REQUIRE(given != nullptr);
     const fs::path folder = given;

@@ -64,7 +64,7 @@ void checkNotice(const json& row, const xr::Pose& head) {
 
 } // namespace
 
-TEST_CASE("pictures of both eyes at work, in each process, from three persons' heads", "[.][pictures]") {
+TEST_CASE("pictures of both eyes at work, in each process, from three persons' heads", "[by_hand][pictures]") {
     handGeometry();
     const std::string name = GENERATE("gmaw-bead", "tee-fillet", "gtaw-bead", "smaw-bead", "solder-joint");
     const Person person =

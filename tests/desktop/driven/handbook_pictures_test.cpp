@@ -109,7 +109,7 @@ class EvenHand {
 
 } // namespace
 
-TEST_CASE("pictures of home, a lesson's page, a demonstration and the view menu", "[.][pictures]") {
+TEST_CASE("pictures of home, a lesson's page, a demonstration and the view menu", "[by_hand][pictures]") {
     VirtualDisplay display(96, 1280, 720);
     TrainerWindow window("handbook-home", {.settings = settingsWith(""), .lesson = "", .display = &display});
     waitForPage(window, "home");
@@ -143,7 +143,7 @@ TEST_CASE("pictures of home, a lesson's page, a demonstration and the view menu"
     keep(window, "view-menu");
 }
 
-TEST_CASE("pictures of a weld: machine, cues, ghost, result, cut, replay and comparison", "[.][pictures]") {
+TEST_CASE("pictures of a weld: machine, cues, ghost, result, cut, replay and comparison", "[by_hand][pictures]") {
     VirtualDisplay display(96, 1280, 720);
     TrainerWindow window("handbook-weld", {.settings = settingsWith(""), .lesson = "tee-fillet", .display = &display});
     window.start();

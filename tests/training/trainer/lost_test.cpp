@@ -39,7 +39,7 @@ TEST_CASE("the solder lessons lose no metal: drops between table and cube, a bar
     CHECK(mostLost(bridge) == 0);
 }
 
-TEST_CASE("no shipped lesson loses metal in its demonstration, at its own spacing", "[training][.][long]") {
+TEST_CASE("no shipped lesson loses metal in its demonstration, at its own spacing", "[training][long]") {
     for (const std::string& name : lessonNames(test::testFolder().parent_path() / "app" / "data" / "lessons")) {
         const Lesson lesson = shippedLesson(name);
         INFO(name);
