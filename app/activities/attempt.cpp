@@ -72,7 +72,7 @@ void Attempt::finish(ActivityFrame& frame) {
 }
 
 void Attempt::judge(const Trainer& trainer) {
-    judge_.judge(trainer);
+    judge_.judge(trainer, cues_.heldByDesk());
     if (const auto& judged = judge_.judged(); judged && judged->judgement.score && log_.redo().redone() == 0)
         cues_.practised(*judged->judgement.score);
 }

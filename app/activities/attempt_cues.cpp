@@ -5,6 +5,7 @@
 #include <glm/matrix.hpp>
 
 #include <cmath>
+#include <utility>
 
 namespace meltpool {
 
@@ -89,6 +90,7 @@ void AttemptCues::begin() {
     before_ = skill_;
     used_ = on_ = faded_ = {};
     heldByDesk_.reset();
+    notedHeld_.reset();
     showsFaded_ = false;
     pose_.reset();
     welded_.reset();
@@ -116,11 +118,22 @@ void AttemptCues::update(Trainer& trainer, bool test, double elapsed) {
     }
     if (on != on_) trainer.event("cues", on.empty() ? "none" : on.names());
     on_ = on;
+    noteHeld(trainer);
     if (trainer.technique() == nullptr || trainer.technique()->steps().empty()) return;
     if (trainer.arc().burns()) used_.add(on);
     pose_ = followedPose(pose_ ? &*pose_ : nullptr, trainer, elapsed);
     if (!welded_) welded_.emplace(trainer.technique()->seam(), pose_->line);
     welded_->update(*trainer.technique());
+}
+
+void AttemptCues::noteHeld(Trainer& trainer) {
+    const auto& bands = trainer.lesson().technique;
+    if (!bands || !trainer.arc().burns()) return;
+    QuantitySet held = heldByDesk_;
+    for (size_t i = 0; i < held.size(); ++i)
+        held.set(i, held.test(i) && bands->find(static_cast<TechniqueQuantity>(i)) != nullptr);
+    if (std::exchange(notedHeld_, held) == held) return;
+    trainer.event("desk_holds", held.none() ? "none" : keysOf(held, bands->distance));
 }
 
 std::span<const Marker> AttemptCues::markers(const Trainer& trainer, const SceneView& scene, const View& eye) {

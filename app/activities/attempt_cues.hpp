@@ -51,6 +51,9 @@ class AttemptCues {
     void begin();
     /// Sets the quantities that the desk has held by itself in this attempt, which are no skill of the trainee.
     void setHeldByDesk(const QuantitySet& held) { heldByDesk_ = held; }
+    const QuantitySet& heldByDesk() const { return heldByDesk_; }
+    /// Those of them that the lesson judges, as of the last burning arc.
+    const QuantitySet& notedHeld() const { return notedHeld_; }
     /// The desk swings the torch: an aim cue would follow its swings.
     void setSwings(bool swings) { swings_ = swings; }
     /// Takes the score of the attempt so far. The last judgement counts, once; cues fade from the next attempt on.
@@ -62,8 +65,8 @@ class AttemptCues {
     bool showsFaded() const { return showsFaded_; }
 
     /// Takes the last step of a frame. `test`: an attempt for score, which has no cues. `elapsed`: s of real time since
-    /// the last call. Notes in the record which cues are on, when they change: `cues speed aim`. Allocates nothing
-    /// while nothing changes.
+    /// the last call. Notes in the record which cues are on, and which judged quantities the desk holds while the arc
+    /// burns, when they change: `cues speed aim`, `desk_holds work_angle`. Allocates nothing while nothing changes.
     void update(Trainer& trainer, bool test, double elapsed);
 
     /// True if a cue of this kind never shows in this attempt: switched off, not allowed by the lesson, or withheld in
@@ -85,6 +88,7 @@ class AttemptCues {
     bool isNew(CueKind kind) const { return before_.strength(kind) >= 1; }
 
   private:
+    void noteHeld(Trainer& trainer);
     CueSet switchedOn() const;
     CueSkill shownSkill() const { return showsFaded_ ? CueSkill() : before_; }
 
@@ -94,10 +98,11 @@ class AttemptCues {
     CueSet on_;                      ///< cues of wanted_ that have not faded away
     CueSet used_;
     CueSkill skill_;
-    CueSkill before_;             ///< skill before this attempt
-    bool swings_ = false;         ///< the desk swings the torch
-    QuantitySet heldByDesk_;      ///< in this attempt
-    CueSet faded_;                ///< cues of wanted_ that the skill has taken away
+    CueSkill before_;        ///< skill before this attempt
+    bool swings_ = false;    ///< the desk swings the torch
+    QuantitySet heldByDesk_; ///< in this attempt
+    QuantitySet notedHeld_;  ///< of them, those in the record
+    CueSet faded_;           ///< cues of wanted_ that the skill has taken away
     bool showsFaded_ = false;
     std::optional<CuePose> pose_; ///< pose that follows the torch a little late, see followedPose()
     std::optional<WeldedPlaces> welded_;

@@ -30,12 +30,12 @@ bool AttemptJudge::waits(const Trainer& trainer) const {
     return due_ && asked && to_ - from_ >= kLeastWeld;
 }
 
-void AttemptJudge::judge(const Trainer& trainer) {
+void AttemptJudge::judge(const Trainer& trainer, const QuantitySet& held) {
     if (trainer.technique() == nullptr || trainer.arc().burns()) return;
     JudgedAttempt judged;
     judged.judgement = trainer.judge();
     const auto& bands = trainer.lesson().technique;
-    judged.rows = judgementRows(judged.judgement, bands ? &*bands : nullptr);
+    judged.rows = judgementRows(judged.judgement, bands ? &*bands : nullptr, held);
     if (const auto& weld = judged.judgement.weld)
         judged.bend =
             bendTest(*weld, static_cast<double>(simulatedWorkpiece(trainer.lesson().workpiece).thicknessMm) * 1e-3);

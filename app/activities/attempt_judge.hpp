@@ -31,8 +31,9 @@ class AttemptJudge {
     bool update(const Trainer& trainer);
     /// True if there is a weld that update() would judge once its arc is out for a second.
     bool waits(const Trainer& trainer) const;
-    /// Judges the attempt so far. No-op while the arc burns and in the classic model. Waits for the GPU.
-    void judge(const Trainer& trainer);
+    /// Judges the attempt so far. No-op while the arc burns and in the classic model. Waits for the GPU. `held`:
+    /// quantities that the desk held.
+    void judge(const Trainer& trainer, const QuantitySet& held);
     /// Clears the judgement for another attempt.
     void forget();
 

@@ -62,17 +62,34 @@ std::string techniqueDetail(const ParameterScore& parameter, const TechniqueBand
                    {"tolerance", withUnit(rounded(band->inner, 1), info.unit)}});
 }
 
-JudgementRow techniqueRow(const ParameterScore& parameter, const TechniqueBand* band, DistanceKind distance) {
+JudgementRow techniqueRow(const ParameterScore& parameter, const TechniqueBand* band, DistanceKind distance,
+                          const QuantitySet& held) {
     const QuantityInfo& info = quantityInfo(parameter.quantity, distance);
     JudgementRow row{capitalised(info.words()),
                      phrase("judgement.hand.points", {{"points", rounded(parameter.score, 0)}}),
                      techniqueDetail(parameter, band, info), RowState::plain};
+    if (held.test(static_cast<size_t>(parameter.quantity))) {
+        row.detail += ". " + phrase("judgement.hand.held");
+        return row;
+    }
     if (parameter.score >= kGood) row.state = RowState::good;
     if (parameter.score < kBad) row.state = RowState::bad;
     return row;
 }
 
-void addTechnique(JudgementRows& rows, const Judgement& judgement, const TechniqueBands* bands) {
+/// The scored quantities that the desk held, as a sentence; empty if there are none.
+std::string heldSentence(const TechniqueScore& score, DistanceKind distance, const QuantitySet& held) {
+    QuantitySet scored;
+    for (const ParameterScore& parameter : score.parameters)
+        scored.set(static_cast<size_t>(parameter.quantity));
+    const QuantitySet both = scored & held;
+    if (both.none()) return {};
+    if (both == scored) return phrase("judgement.score.all_held");
+    return phrase("judgement.score.held", {{"quantities", wordsOfKeys(keysOf(both, distance))}});
+}
+
+void addTechnique(JudgementRows& rows, const Judgement& judgement, const TechniqueBands* bands,
+                  const QuantitySet& held) {
     rows.technique.title = phrase("judgement.hand.heading");
     if (!judgement.score) {
         rows.score = phrase("judgement.score.none");
@@ -92,9 +109,11 @@ void addTechnique(JudgementRows& rows, const Judgement& judgement, const Techniq
     rows.scoreNote = phrase("judgement.score.welded",
                             {{"welded", rounded(score.weldedMm, 0)}, {"wanted", rounded(score.wantedMm, 0)}});
     if (score.unknownMm > 0) rows.scoreNote += " " + unknownSentence(score);
+    if (const std::string sentence = heldSentence(score, judgement.distance, held); !sentence.empty())
+        rows.scoreNote += " " + sentence;
     for (const ParameterScore& parameter : score.parameters)
-        rows.technique.rows.push_back(
-            techniqueRow(parameter, bands == nullptr ? nullptr : bands->find(parameter.quantity), judgement.distance));
+        rows.technique.rows.push_back(techniqueRow(
+            parameter, bands == nullptr ? nullptr : bands->find(parameter.quantity), judgement.distance, held));
 }
 
 std::string limitText(const VerdictItem& item) {
@@ -114,18 +133,18 @@ std::string valueText(const VerdictItem& item) {
                    {"length", rounded(item.meanOver * 1e3, 0)}});
 }
 
+/// True for an imperfection that the metal never shows, such as a crack.
+bool isNotSimulated(const VerdictItem& item) {
+    const WeldFigure* known = findImperfection(item.name);
+    return item.state == VerdictState::notResolved && known != nullptr && !known->isMeasured();
+}
+
 /// The state as a word.
 const std::string& stateText(const VerdictItem& item) {
     if (item.state == VerdictState::estimated)
         return phrase(item.beyond ? "judgement.state.likely" : "judgement.state.unlikely");
+    if (isNotSimulated(item)) return phrase("judgement.state.not_simulated");
     return phraseOf("judgement.state", nameOf(item.state));
-}
-
-/// Text for a figure that the metal gives no value for.
-const std::string& unknownText(const VerdictItem& item) {
-    const WeldFigure* known = findImperfection(item.name);
-    const bool absent = known != nullptr && !known->isMeasured();
-    return phrase(absent ? "judgement.item.never_shown" : "judgement.item.not_measured");
 }
 
 /// Adds to a failed item the sentence on how its imperfection is measured.
@@ -144,7 +163,11 @@ JudgementRow verdictRow(const VerdictItem& item) {
                             {{"length", rounded(item.value.value_or(0), 0)}, {"rule", item.rule}});
         return row;
     }
-    const std::string value = item.value ? valueText(item) : unknownText(item);
+    if (isNotSimulated(item)) {
+        row.detail = capitalised(limitText(item));
+        return row;
+    }
+    const std::string value = item.value ? valueText(item) : phrase("judgement.item.not_measured");
     const bool placed = item.place && item.state != VerdictState::pass && item.meanOver == 0;
     row.detail =
         phrase(placed ? "judgement.item.value_at" : "judgement.item.value",
@@ -153,44 +176,47 @@ JudgementRow verdictRow(const VerdictItem& item) {
     return row;
 }
 
+constexpr int kRanks = 5;
+
 /// Rank of a row: failed first, passed last.
-int rankOf(VerdictState state) {
-    switch (state) {
+int rankOf(const VerdictItem& item) {
+    switch (item.state) {
     case VerdictState::fail:
         return 0;
     case VerdictState::notResolved:
-        return 1;
+        return isNotSimulated(item) ? 2 : 1;
     case VerdictState::estimated:
-        return 2;
+        return 3;
     case VerdictState::pass:
         break;
     }
-    return 3;
+    return 4;
 }
 
-/// Count of states: "1 failed, 4 passed, 2 too fine to see (they do not count)", in the order of rankOf().
-std::string countText(const std::array<int, 4>& counts) {
+/// Count of states: "1 failed, 4 passed, 2 too fine to see, 3 not simulated", by rankOf().
+std::string countText(const std::array<int, kRanks>& counts) {
     std::string text;
     const auto add = [&](std::string_view key, int count) {
         if (!text.empty()) text += phrase("list.separator");
         text += phraseOfCount(key, count, {{"count", PhraseNumber(count)}});
     };
     add("judgement.count.fail", counts[0]);
-    add("judgement.count.pass", counts[3]);
+    add("judgement.count.pass", counts[4]);
     if (counts[1] > 0) add("judgement.count.not_resolved", counts[1]);
-    if (counts[2] > 0) add("judgement.count.estimated", counts[2]);
+    if (counts[2] > 0) add("judgement.count.not_simulated", counts[2]);
+    if (counts[3] > 0) add("judgement.count.estimated", counts[3]);
     return text;
 }
 
 std::string verdictNote(const Verdict& verdict) {
-    std::array<int, 4> counts{};
+    std::array<int, kRanks> counts{};
     for (const VerdictItem& item : verdict.items)
-        ++counts[static_cast<size_t>(rankOf(item.state))];
+        ++counts[static_cast<size_t>(rankOf(item))];
     return phrase("judgement.standard.note",
                   {{"edition", verdict.edition}, {"level", verdict.level}, {"counts", countText(counts)}});
 }
 
-/// Text of the failures: "Fails: overlap, undercut."; if nothing fails, how much of it was not assessed.
+/// Text of the failures: "Fails: overlap, undercut."; if nothing fails, how much was judged and how much was not.
 std::string failedText(const Verdict& verdict) {
     std::string names;
     for (const VerdictItem& item : verdict.items) {
@@ -200,8 +226,9 @@ std::string failedText(const Verdict& verdict) {
     }
     if (!names.empty()) return phrase("judgement.verdict.fails", {{"imperfections", names}});
     if (!verdict.accepted) return {};
-    const auto count = static_cast<long long>(verdict.notAssessed());
-    return phraseOfCount("judgement.verdict.nothing", count, {{"count", std::to_string(count)}});
+    const size_t open = verdict.notAssessed();
+    return phrase("judgement.verdict.nothing",
+                  {{"passed", std::to_string(verdict.items.size() - open)}, {"count", std::to_string(open)}});
 }
 
 void addVerdict(JudgementRows& rows, const Judgement& judgement) {
@@ -227,7 +254,7 @@ void addVerdict(JudgementRows& rows, const Judgement& judgement) {
     }
     std::vector<VerdictItem> items = verdict.items;
     std::stable_sort(items.begin(), items.end(),
-                     [](const VerdictItem& a, const VerdictItem& b) { return rankOf(a.state) < rankOf(b.state); });
+                     [](const VerdictItem& a, const VerdictItem& b) { return rankOf(a) < rankOf(b); });
     for (const VerdictItem& item : items)
         rows.judged.rows.push_back(verdictRow(item));
 }
@@ -317,9 +344,9 @@ void addMeasures(JudgementRows& rows, const Judgement& judgement) {
 
 } // namespace
 
-JudgementRows judgementRows(const Judgement& judgement, const TechniqueBands* bands) {
+JudgementRows judgementRows(const Judgement& judgement, const TechniqueBands* bands, const QuantitySet& held) {
     JudgementRows rows;
-    addTechnique(rows, judgement, bands);
+    addTechnique(rows, judgement, bands, held);
     for (const Correction& correction : judgement.corrections)
         rows.corrections.push_back(correction.sentence);
     addVerdict(rows, judgement);

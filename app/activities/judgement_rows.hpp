@@ -42,7 +42,7 @@ struct JudgementRows {
     std::string score;       ///< "Score 84 of 100", or a text that there is none
     std::string scoreNote;   ///< reason for a missing score, or the welded share of the seam
     std::string verdict;     ///< "Accepted", "Not accepted", or a text that there is none; the standard is in `judged`
-    std::string verdictNote; ///< failures, or how much was not assessed; empty without a verdict
+    std::string verdictNote; ///< failures, or how much was judged; empty without a verdict
     RowState verdictState = RowState::plain;
     std::vector<std::string> corrections;           ///< sentences, costliest first
     std::vector<CureRow> cures;                     ///< one for each imperfection that fails
@@ -52,7 +52,8 @@ struct JudgementRows {
     JudgementSection measured{"measured", {}, {}, {}}; ///< figures of the weld, means along the seam
 };
 
-/// Rows of a judgement. `bands`: of the lesson, for the targets; null if it has none.
-JudgementRows judgementRows(const Judgement& judgement, const TechniqueBands* bands);
+/// Rows of a judgement. `bands`: of the lesson, for the targets; null if it has none. `held`: quantities that the desk
+/// held; their points say nothing about the person's hand.
+JudgementRows judgementRows(const Judgement& judgement, const TechniqueBands* bands, const QuantitySet& held = {});
 
 } // namespace meltpool

@@ -53,6 +53,7 @@ DesktopApp::DesktopApp(const DesktopOptions& options)
     telemetry_.countCalls();
     for (std::string& fault : settings_.load(sections_.forFile(headsetSection())))
         messages_.warn(std::move(fault), clock_.now());
+    takeLanguage();
     takeUnits();
     if (chosenUnits() != UnitSystem::metric && !options.lesson.empty())
         session_.open(loadLesson(options.lesson)); // its text was read before the settings
@@ -112,6 +113,16 @@ void DesktopApp::takeGhost() {
 /// Returns null without a headset.
 ParameterSection* DesktopApp::headsetSection() {
     return headset_.device() ? &headset_.device()->section() : nullptr;
+}
+
+/// Speaks the language that the person chose, or the former one if the words file has a fault.
+void DesktopApp::takeLanguage() {
+    try {
+        if (speakChosenLanguage(sections_.window.language)) home_.refresh();
+    } catch (const InputError& fault) {
+        messages_.warn(fault.what(), clock_.now());
+        sections_.window.language = spokenLanguageChoice();
+    }
 }
 
 /// Shows lengths as the person chose; the lessons' texts are read again.
@@ -181,6 +192,7 @@ void DesktopApp::runFrame() {
     messages_.expire(time);
     if (gl::debugBuild() || options_.watchShaders) shaderWatch_.update(shaders_, steps_.thread(), messages_, time);
     const bool captured = session_.running() && controls_.captured();
+    takeLanguage();
     takeUnits();
     interface_.takeGamepad(input, gamepadUse(), seconds);
     interface_.begin(sections_.window.interfaceSize, captured, keysChoose(), input);

@@ -44,6 +44,7 @@ class DesktopApp {
 
   private:
     void takeGhost();
+    void takeLanguage();
     void takeUnits();
     void takeWelder();
     void runFrame();

@@ -22,6 +22,31 @@ void copyValues(LessonSections& from, LessonSections& to) {
             if (p.key != "for_score") setParameter(targets[i]->parameters, p.key, parameterText(p), sources[i]->name);
 }
 
+/// Languages of the settings. The first is the system's.
+struct LanguageList {
+    LanguageList() : users(usersLanguage()), keys(languages()) {
+        keys.insert(keys.begin(), "system");
+        names.emplace_back(); // a phrase, in the language that is spoken
+        for (size_t i = 1; i < keys.size(); ++i)
+            names.push_back(languageName(keys[i]));
+        choices.assign(keys.begin(), keys.end());
+        shownNames.assign(names.begin(), names.end());
+    }
+    LanguageList(const LanguageList&) = delete; // views of its own texts
+    LanguageList& operator=(const LanguageList&) = delete;
+
+    std::string_view wanted(int choice) const { return choice == 0 ? users : keys[static_cast<size_t>(choice)]; }
+
+    std::string users; ///< without a choice
+    std::vector<std::string> keys, names;
+    std::vector<std::string_view> choices, shownNames;
+};
+
+const LanguageList& languageList() {
+    static const LanguageList list;
+    return list;
+}
+
 constexpr std::array<std::string_view, 2> kUnitChoices{"millimetres", "inches"}; // in the order of UnitSystem
 
 } // namespace
@@ -35,6 +60,9 @@ ParameterList describe(WindowParameters& w) {
         {"maximised", "Maximised", "", &w.maximised, 0, 1, "The window fills the screen at the next start."},
         {"interface_size", "Size of text and menus", "", &w.interfaceSize, 0.7, 2,
          "Factor on the desktop's own scale. Large menus cover more of the picture."},
+        {"language", "Language", "", &w.language, 0, static_cast<double>(languageChoices().size() - 1),
+         "Of window, headset and pages. Sentences that a language lacks are in English.", languageChoices(), false,
+         languageList().shownNames},
         {"units", "Lengths", "", &w.units, 0, 1,
          "Speeds and areas follow. Files and results on the terminal stay metric.", kUnitChoices},
         {"picture", "Picture", "", &w.picture, 0, kPictureLevels,
@@ -44,6 +72,23 @@ ParameterList describe(WindowParameters& w) {
          "Detail in window and headset. Automatic is low without a graphics card, else as high as it draws in time.",
          detailChoices()},
     };
+}
+
+std::span<const std::string_view> languageChoices() {
+    return languageList().choices;
+}
+
+bool speakChosenLanguage(int choice) {
+    const std::string_view wanted = languageList().wanted(choice);
+    if (wanted == language()) return false;
+    chooseLanguage(wanted);
+    return true;
+}
+
+int spokenLanguageChoice() {
+    const auto& keys = languageList().keys;
+    const auto found = std::find(keys.begin() + 1, keys.end(), language());
+    return found == keys.end() ? 0 : static_cast<int>(found - keys.begin());
 }
 
 DesktopSettings::DesktopSettings(const std::filesystem::path& file)

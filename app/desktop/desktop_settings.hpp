@@ -5,7 +5,9 @@
 #include "app/session/settings.hpp"
 
 #include <filesystem>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace meltpool {
@@ -16,11 +18,21 @@ struct WindowParameters {
     int height = 720; ///< points at an ordinary density
     bool maximised = false;
     float interfaceSize = 1; ///< factor on the desktop's own scale
+    int language = 0;        ///< index into languageChoices()
     int units = 0;           ///< index into UnitSystem
     int picture = 0;         ///< index into pictureChoices()
     int detail = 0;          ///< index into detailChoices(), in the headset too
 };
 ParameterList describe(WindowParameters& parameters);
+
+/// The system's language, then each that has a words file: "system", "en", "de". Read once.
+std::span<const std::string_view> languageChoices();
+
+/// Speaks the language of this choice from now on; returns true if it was another before. Throws InputError if its
+/// words file has a fault; the language stays as it was.
+bool speakChosenLanguage(int choice);
+/// The choice of the language that is spoken.
+int spokenLanguageChoice();
 
 /// Stores the values of the default lesson and of sections that belong to no lesson. Another lesson's values are not
 /// stored.

@@ -4,6 +4,7 @@
 #include "app/report/section_drawing.hpp"
 #include "app/report/svg_text.hpp"
 #include "core/base/words.hpp"
+#include "core/training/judging/quantity.hpp"
 #include "core/weld/process/shielding_gas.hpp"
 
 #include <algorithm>
@@ -39,6 +40,8 @@ std::string helpOf(const json& attempt) {
     const auto add = [&](const std::string& word) { help += (help.empty() ? "" : phrase("list.separator")) + word; };
     if (partIn(attempt, "guided") == true) add(phrase("page.help.guided"));
     if (partIn(attempt, "swung") == true) add(phrase("page.help.swung"));
+    if (const std::string held = rawIn(attempt, "held"); !held.empty())
+        add(phrase("page.help.held", {{"quantities", escaped(wordsOfKeys(held))}}));
     if (partIn(attempt, "changed") == true) add(phrase("page.help.changed"));
     if (const std::string cues = textIn(attempt, "cues"); !cues.empty())
         add(phrase("page.help.cues", {{"cues", cues}}));

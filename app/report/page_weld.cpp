@@ -25,9 +25,16 @@ size_t rankOf(const json& item) {
     return static_cast<size_t>(std::find(kStates.begin(), kStates.end(), rawIn(item, "state")) - kStates.begin());
 }
 
+/// True for an imperfection that the metal never shows, such as a crack.
+bool isNotSimulated(const json& item) {
+    const WeldFigure* known = findImperfection(rawIn(item, "name"));
+    return rawIn(item, "state") == "not_resolved" && known != nullptr && !known->isMeasured();
+}
+
 std::string stateText(const json& item) {
     const size_t rank = rankOf(item);
     if (rank == kStates.size()) return textIn(item, "state");
+    if (isNotSimulated(item)) return phrase("page.state.not_simulated");
     if (kStates[rank] != "estimated") return phraseOf("page.state", kStates[rank]);
     return partIn(item, "beyond") == true ? phrase("page.state.likely", {{"rule", textIn(item, "rule")}})
                                           : phrase("page.state.unlikely");
@@ -111,13 +118,14 @@ std::string valueText(const json& item) {
     return phrase("page.verdict.mean", {{"value", value}, {"uncertainty", off}, {"length", measure(length, "mm")}});
 }
 
-/// Sentence of an accepted weld on how much was not assessed; empty for a result of an earlier version.
+/// Sentence of an accepted weld on how much was judged and how much was not; empty for a result of an earlier version.
 std::string nothingFound(const json& verdict) {
     const auto count = numberIn(verdict, "not_assessed");
     if (!count || partIn(verdict, "accepted") != true) return {};
+    const long open = std::lround(*count);
+    const long all = static_cast<long>(partIn(verdict, "items").size());
     return "<p>" +
-           phraseOfCount("page.verdict.nothing", std::lround(*count),
-                         {{"count", std::to_string(std::lround(*count))}}) +
+           phrase("page.verdict.nothing", {{"passed", std::to_string(all - open)}, {"count", std::to_string(open)}}) +
            "</p>\n";
 }
 

@@ -130,6 +130,7 @@ std::filesystem::path writeAttemptPage(LessonSession& session, double zoom, cons
     facts.zoom = zoom;
     facts.guided = session.deskTorch().guided();
     facts.swung = session.deskTorch().weave().swung();
+    facts.held = keysOf(attempt.cues().notedHeld(), judgement.distance);
     facts.changed = values.workpieceChanged() || values.settingsChanged();
     if (const CueSet used = attempt.cues().used(); !used.empty()) facts.cues = used.names();
     facts.ghost = attempt.ghost().used();

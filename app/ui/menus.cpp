@@ -185,7 +185,7 @@ void viewMenu(Context& context, std::span<const ParameterSection* const> section
           "Mouse and keys",
           {"source_step", "source_mouse_speed", "look_speed", "camera_speed", "invert_look"},
           false},
-         {"window", "Window", {"interface_size", "units", "picture", "detail"}, false},
+         {"window", "Window", {"interface_size", "language", "units", "picture", "detail"}, false},
          {"recordings", "Recordings", {"keep_recordings", "recordings_limit_mb"}, false}}};
     drawGroups(context, sections, kGroups);
     ImGui::End();
@@ -248,7 +248,7 @@ void timingsPanel(Context& context, const gl::Profiler& profiler, const LessonFi
 
 void settingsOverlay(Context& context, bool& open, std::span<const ParameterSection* const> sections) {
     static constexpr std::array<Group, 5> kGroups{
-        {{"window", "Window", {"interface_size", "units", "picture", "detail"}, true},
+        {{"window", "Window", {"interface_size", "language", "units", "picture", "detail"}, true},
          {"sound", "Sound", {"volume", "captions"}, true},
          {"controls",
           "Torch at the desk",

@@ -55,6 +55,8 @@ ShortText choiceWords(std::string_view table, const Parameter& p) {
 
 /// Text of a value for people: a choice's name and a switch's state have phrases.
 std::string_view shownText(std::string_view table, const Parameter& p, std::string_view text) {
+    for (size_t i = 0; i < p.choiceNames.size(); ++i)
+        if (p.choices[i] == text && !p.choiceNames[i].empty()) return p.choiceNames[i];
     if (!p.choices.empty()) return phraseOr(ShortText{choiceWords(table, p), ".", text}, text);
     if (std::holds_alternative<bool*>(p.value)) return phrase(text == "true" ? "control.true" : "control.false");
     return text;
@@ -340,7 +342,7 @@ struct Draw {
         }
         if (labelLine(context, name, table, p, "", original) == LabelPress::back)
             setParameter({p}, p.key, original, p.key);
-        choiceRow(context, name, p.choices, *target, choiceWords(table, p));
+        choiceRow(context, name, p.choices, *target, choiceWords(table, p), p.choiceNames);
         return *target != before;
     }
     bool operator()(bool* target) const {

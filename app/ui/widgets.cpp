@@ -74,6 +74,20 @@ void outlineRounded(ImDrawList& draw, ImVec2 low, ImVec2 high, ImU32 tint, float
 namespace {
 
 constexpr float kTooltipWidth = 320; ///< points, the most
+constexpr double kTooltipRest = 0.5; ///< s that the pointer rests on a control before its tooltip covers others
+
+/// True if the pointer has been over the last item for a while.
+bool pointerRests(Context& context) {
+    auto& pointed = context.pointed;
+    const ImVec2 corner = ImGui::GetItemRectMin();
+    const bool same =
+        pointed.frame == context.frame || // the first item of a frame counts
+        (pointed.frame + 1 == context.frame && pointed.corner.x == corner.x && pointed.corner.y == corner.y);
+    if (!same) pointed.since = ImGui::GetTime();
+    if (pointed.frame != context.frame) pointed.corner = corner;
+    pointed.frame = context.frame;
+    return ImGui::GetTime() - pointed.since >= kTooltipRest;
+}
 
 void putTooltipAtEdge() {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
@@ -130,6 +144,7 @@ void tooltip(Context& context, std::string_view text) {
     if (text.empty() || !ImGui::IsItemHovered()) return;
     const bool byKeys = ImGui::GetIO().NavVisible && ImGui::IsItemFocused() &&
                         !ImGui::IsMouseHoveringRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+    if (!byKeys && !pointerRests(context)) return;
     if (context.tooltipsAtEdge)
         putTooltipAtEdge();
     else if (byKeys)
@@ -261,8 +276,8 @@ float wishedWidth(const Context& context, const char* text, ButtonKind kind, flo
     return std::max(context.points(width), words + 2 * margin);
 }
 
-/// ImGui::Button whose text stays in the middle where the frame's padding leaves it too little room: ImGui would begin the
-/// text at the padding and cut its end off.
+/// ImGui::Button whose text stays in the middle where the frame's padding leaves it too little room: ImGui would begin
+/// the text at the padding and cut its end off.
 bool centredButton(const char* label, float wide) {
     const ImVec2 padding = ImGui::GetStyle().FramePadding;
     const float spare = std::max((wide - ImGui::CalcTextSize(label, nullptr, true).x) / 2, 0.0f);
@@ -367,7 +382,7 @@ bool toggle(Context& context, std::string_view name, std::string_view label, boo
 }
 
 bool choiceRow(Context& context, std::string_view name, std::span<const std::string_view> choices, int& value,
-               std::string_view words) {
+               std::string_view words, std::span<const std::string_view> names) {
     const float gap = context.points(5);
     const float right = ImGui::GetContentRegionAvail().x;
     float used = 0;
@@ -375,7 +390,8 @@ bool choiceRow(Context& context, std::string_view name, std::span<const std::str
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {context.points(8), context.points(4)});
     for (size_t i = 0; i < choices.size(); ++i) {
         const ShortText readable = readableName(choices[i]);
-        const ShortText text = phraseOr(ShortText{words, ".", choices[i]}, readable);
+        const bool named = i < names.size() && !names[i].empty();
+        const ShortText text = named ? names[i] : phraseOr(ShortText{words, ".", choices[i]}, readable);
         const float width = ImGui::CalcTextSize(text.c_str()).x + context.points(16);
         if (i > 0 && used + gap + width <= right) {
             ImGui::SameLine(0, gap);

@@ -28,6 +28,12 @@ struct Context {
     /// noting a place allocates nothing.
     std::map<std::string, Place, std::less<>> places;
     unsigned frame = 0;
+    /// Control that the pointer is over, for tooltips.
+    struct {
+        unsigned frame = 0; ///< last frame of it
+        ImVec2 corner{0, 0};
+        double since = 0; ///< s, ImGui::GetTime()
+    } pointed;
     bool tooltipsAtEdge = false;               ///< tooltips lie at the upper or lower edge, far from the pointer
     bool typing = true;                        ///< there is a keyboard to type numbers with
     const KeyNames* keys = &KeyNames::usual(); ///< names of the current keyboard's keys
@@ -110,9 +116,9 @@ bool toggle(Context& context, std::string_view name, std::string_view label, boo
             bool* hovered = nullptr);
 
 /// Draws buttons of which one is chosen, wrapped into rows. `words` starts the keys of their phrases: "group" of
-/// "group.view".
+/// "group.view". `names`: their texts instead of phrases, as Parameter::choiceNames.
 bool choiceRow(Context& context, std::string_view name, std::span<const std::string_view> choices, int& value,
-               std::string_view words = "group");
+               std::string_view words = "group", std::span<const std::string_view> names = {});
 
 /// Draw a rectangle with rounded corners, `radius` in pixels: its inside, its edge. These two draw every rectangle of
 /// the interface: Dear ImGui 1.86 divides by zero if the radius that it finds room for is between 0 and 1e-6 pixels, as

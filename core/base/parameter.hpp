@@ -24,6 +24,8 @@ struct Parameter {
     /// The names of an `int` that is a choice, in order; files hold the name. Empty for plain numbers.
     std::span<const std::string_view> choices = {};
     bool onlyAtStart = false; ///< true: takes effect at the next start, not while running
+    /// Names of `choices` for people, which no translation changes: "Deutsch". Empty, or an empty one: a phrase.
+    std::span<const std::string_view> choiceNames = {};
 };
 
 using ParameterList = std::vector<Parameter>;

@@ -53,18 +53,24 @@ std::filesystem::path wordsFolder() {
     return resourceFolder() / "data" / "words";
 }
 
+struct SpokenLanguage {
+    explicit SpokenLanguage(std::string_view language) : name(language), words(wordsFolder(), language) {}
+
+    std::string name;
+    Words words;
+};
+
 /// All languages chosen in this run, so that their sentences stay valid.
 struct SpokenLanguages {
     std::mutex mutex;
-    std::vector<std::pair<std::string, std::unique_ptr<const Words>>> read;
-    std::atomic<const Words*> english = nullptr, chosen = nullptr;
-    std::string name{kEnglish};
+    std::vector<std::unique_ptr<const SpokenLanguage>> read;
+    std::atomic<const SpokenLanguage*> english = nullptr, chosen = nullptr;
 
-    const Words& readOnce(std::string_view language) {
-        for (const auto& [name_, words] : read)
-            if (name_ == language) return *words;
-        read.emplace_back(language, std::make_unique<const Words>(wordsFolder(), language));
-        return *read.back().second;
+    const SpokenLanguage* readOnce(std::string_view language) {
+        for (const auto& each : read)
+            if (each->name == language) return each.get();
+        read.push_back(std::make_unique<const SpokenLanguage>(language));
+        return read.back().get();
     }
 };
 
@@ -76,16 +82,16 @@ SpokenLanguages& spoken() {
 
 const Words& english() {
     SpokenLanguages& languages = spoken();
-    if (const Words* words = languages.english.load(std::memory_order_acquire)) return *words;
+    if (const SpokenLanguage* read = languages.english.load(std::memory_order_acquire)) return read->words;
     const std::scoped_lock lock(languages.mutex);
-    const Words& words = languages.readOnce(kEnglish);
-    languages.english.store(&words, std::memory_order_release);
-    return words;
+    const SpokenLanguage* const read = languages.readOnce(kEnglish);
+    languages.english.store(read, std::memory_order_release);
+    return read->words;
 }
 
 const Words& chosen() {
-    const Words* words = spoken().chosen.load(std::memory_order_acquire);
-    return words != nullptr ? *words : english();
+    const SpokenLanguage* const chosen = spoken().chosen.load(std::memory_order_acquire);
+    return chosen != nullptr ? chosen->words : english();
 }
 
 /// A key that no file has, stored so that it can be shown.
@@ -129,6 +135,15 @@ std::vector<std::string> languages() {
     return tomlFileNames(wordsFolder(), "the folder with a file of sentences for each language");
 }
 
+std::string languageName(std::string_view language) {
+    try {
+        if (const std::string* name = Words(wordsFolder(), language).find("language.name")) return *name;
+    } catch (const InputError&) {
+        // chooseLanguage() reports the fault
+    }
+    return std::string(language);
+}
+
 void chooseLanguage(std::string_view language) {
     const std::vector<std::string> known = languages();
     if (std::find(known.begin(), known.end(), language) == known.end()) {
@@ -140,25 +155,29 @@ void chooseLanguage(std::string_view language) {
     }
     SpokenLanguages& all = spoken();
     const std::scoped_lock lock(all.mutex);
-    all.chosen.store(&all.readOnce(language), std::memory_order_release);
-    all.name = language;
+    all.chosen.store(all.readOnce(language), std::memory_order_release);
+}
+
+std::string usersLanguage() {
+    if (std::string asked = environmentVariable("MELTPOOL_LANGUAGE"); !asked.empty()) return asked;
+    const std::vector<std::string> known = languages();
+    for (std::string& each : preferredLanguages())
+        if (std::find(known.begin(), known.end(), each) != known.end()) return std::move(each);
+    return std::string(kEnglish);
 }
 
 void chooseUsersLanguage() {
-    std::vector<std::string> known;
     try {
-        known = languages();
+        languages();
     } catch (const InputError&) {
         return; // code that needs the program's own files reports that they are missing
     }
-    if (const std::string asked = environmentVariable("MELTPOOL_LANGUAGE"); !asked.empty())
-        return chooseLanguage(asked);
-    for (const std::string& each : preferredLanguages())
-        if (std::find(known.begin(), known.end(), each) != known.end()) return chooseLanguage(each);
+    chooseLanguage(usersLanguage());
 }
 
 std::string_view language() {
-    return spoken().name;
+    const SpokenLanguage* const chosen = spoken().chosen.load(std::memory_order_acquire);
+    return chosen != nullptr ? std::string_view(chosen->name) : kEnglish;
 }
 
 const std::string& phrase(std::string_view key) {

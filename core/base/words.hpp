@@ -49,14 +49,18 @@ std::vector<std::string_view> placesOf(std::string_view sentence);
 
 /// The languages that have a file: "en", "de".
 std::vector<std::string> languages();
+/// The language's name in itself, `language.name` of its file: "Deutsch"; its key for a file that has no name or cannot
+/// be read.
+std::string languageName(std::string_view language);
 
 /// Sets the language of all sentences from now on, such as "de". English fills gaps in its file. Earlier sentences stay
 /// valid. Throws InputError for a language without a file, listing those that have one.
 void chooseLanguage(std::string_view language);
-/// Chooses $MELTPOOL_LANGUAGE if it is set, else the first of the user's languages that has a file, else English.
-/// Throws as chooseLanguage().
+/// $MELTPOOL_LANGUAGE if it is set, else the first of the user's languages that has a file, else English.
+std::string usersLanguage();
+/// Chooses usersLanguage(). Throws as chooseLanguage().
 void chooseUsersLanguage();
-/// The chosen language; "en" before the first choice.
+/// The chosen language; "en" before the first choice. Stays valid. Safe on any thread.
 std::string_view language();
 
 /// The sentence of a key without places. A key that no file has is its own sentence, so that the gap is visible. Safe

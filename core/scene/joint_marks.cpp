@@ -19,6 +19,8 @@ constexpr float kShortest = 0.5e-3F, kShorter = 1e-3F; ///< m, least mark, and s
 constexpr float kEdge = 1e-3F;                         ///< m across the line, from a mark to the face's edge
 constexpr float kAbove = 0.05F;                        ///< m over the joint, from where the faces are seen
 constexpr float kParallel = 1e-6F;
+constexpr float kArrow = 6e-3F;       ///< m, length of the arrow
+constexpr float kArrowFrom = 1.5e-3F; ///< m along the line, from the mark to the arrow
 
 /// A place on a face.
 struct FacePoint {
@@ -64,6 +66,19 @@ std::optional<FacePoint> faceAt(const JointEnd& end, float aside, std::span<cons
     return face;
 }
 
+/// Adds the arrow between the mark's begin and end, if it lies on one face.
+bool addArrow(std::vector<Solid>& marks, const JointEnd& end, float side, std::span<const WorkpieceBlock> blocks) {
+    JointEnd first = end, last = end;
+    first.point += end.along * kArrowFrom;
+    last.point += end.along * (kArrowFrom + kArrow);
+    const float aside = side * (kNearest + kFarthest) / 2;
+    const auto from = faceAt(first, aside, blocks), to = faceAt(last, aside, blocks);
+    if (!from || !to || from->normal != to->normal) return false;
+    for (const Solid& stroke : chalkArrow(from->place, end.along, from->normal, kArrow))
+        marks.push_back(stroke);
+    return true;
+}
+
 } // namespace
 
 std::vector<Solid> jointMarks(std::span<const JointEnd> ends, std::span<const WorkpieceBlock> blocks) {
@@ -79,6 +94,7 @@ std::vector<Solid> jointMarks(std::span<const JointEnd> ends, std::span<const Wo
                 break;
             }
         }
+    if (!ends.empty() && !addArrow(marks, ends[0], 1, blocks)) addArrow(marks, ends[0], -1, blocks);
     return marks;
 }
 

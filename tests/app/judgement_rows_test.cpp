@@ -88,6 +88,24 @@ TEST_CASE("score and parameters are told with what was asked for, signs as sides
     CHECK(angle.state == RowState::good);
 }
 
+TEST_CASE("what the desk held is told beside the score, and counts as neither good nor bad", "[app]") {
+    Judgement judgement;
+    judgement.score = scored();
+    const TechniqueBands bands = asked();
+    QuantitySet held;
+    held.set(static_cast<size_t>(TechniqueQuantity::travelAngle));
+    held.set(static_cast<size_t>(TechniqueQuantity::rodAngle)); // not scored here
+    const JudgementRows rows = judgementRows(judgement, &bands, held);
+    CHECK(rows.scoreNote == "39 of 40 mm of the seam are welded. The desk held some of it: travel angle.");
+    CHECK_THAT(find(rows.technique, "Travel angle").detail, test::containsText(". The desk held it."));
+    CHECK(find(rows.technique, "Travel angle").state == RowState::plain);
+    CHECK(find(rows.technique, "Travel speed").state == RowState::bad);
+    CHECK_THAT(judgementRows(judgement, &bands, ~QuantitySet()).scoreNote,
+               test::containsText("The desk held all of it"));
+    CHECK(keysOf(held, DistanceKind::ctwd) == "travel_angle rod_angle");
+    CHECK(wordsOfKeys("travel_angle arc_length new_one") == "travel angle, arc length, new_one");
+}
+
 TEST_CASE("an attempt that is not scored says why", "[app]") {
     Judgement judgement;
     judgement.score = scored();
@@ -115,7 +133,8 @@ TEST_CASE("the verdict names standard and level, and what failed comes first, wh
     CHECK(rows.verdict == "Not accepted by ISO 5817, level C");
     CHECK(rows.verdictState == RowState::bad);
     CHECK(rows.verdictNote == "Fails: Lack of fusion.");
-    CHECK(rows.judged.note == "1 failed, 1 passed, 2 too fine to see (they do not count). Edition 2014, level C.");
+    CHECK(rows.judged.note ==
+          "1 failed, 1 passed, 1 too fine to see (it does not count), 1 not simulated. Edition 2014, level C.");
     REQUIRE(rows.judged.rows.size() == 4);
     CHECK(rows.judged.rows[0].name == "Lack of fusion");
     CHECK(rows.judged.rows[0].value == "FAIL");
@@ -123,7 +142,8 @@ TEST_CASE("the verdict names standard and level, and what failed comes first, wh
     CHECK(rows.judged.rows[0].state == RowState::bad);
     CHECK(rows.judged.rows[1].value == "too fine to see");
     CHECK(rows.judged.rows[1].detail == "100\xC2\xB0 \xC2\xB1 15\xC2\xB0; at least 110\xC2\xB0, at 4 mm");
-    CHECK(rows.judged.rows[2].detail == "Not simulated; at most 1.5 mm");
+    CHECK(rows.judged.rows[2].value == "not simulated");
+    CHECK(rows.judged.rows[2].detail == "At most 1.5 mm");
     CHECK(rows.judged.rows[3].name == "Undercut");
     CHECK(rows.judged.rows[3].value == "pass");
 
@@ -145,7 +165,7 @@ TEST_CASE("the verdict names standard and level, and what failed comes first, wh
     judgement.verdict->items.erase(judgement.verdict->items.begin() + 2);
     const JudgementRows yes = judgementRows(judgement, nullptr);
     CHECK(yes.verdict == "Accepted by ISO 5817, level C");
-    CHECK(yes.verdictNote == "Nothing rejectable found; 2 items not assessed.");
+    CHECK(yes.verdictNote == "No fault found: 1 passed, 2 left to see on a real weld.");
 
     VerdictItem& mean = judgement.verdict->items.emplace_back(fusion);
     mean.uncertainty = 0.25;

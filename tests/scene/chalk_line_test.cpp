@@ -49,8 +49,20 @@ TEST_CASE("a weld wipes the line off where it went; the marks beside it stay", "
     for (const Solid& stroke : chalk.solids())
         CHECK(std::abs(stroke.toWorld[3].x + 0.011F) > 3e-3F);
     chalk.wipe([](double, double) { return true; });
-    CHECK(chalk.solids().size() == 4);
+    CHECK(chalk.solids().size() == 7); // beside the ends, and the arrow
     chalk.wipe([](double, double) { return false; });
     CHECK(chalk.solids().size() == all);
     CHECK(ChalkLine({{0, 0, 0}, {0, 0, 0}}).solids().empty());
+}
+
+TEST_CASE("the line's arrow points from its first end to its last, on the welder's side", "[scene]") {
+    for (const float side : {-1.0F, 1.0F}) {
+        ChalkLine chalk({{0.036F, 0, 0}, {-0.036F, 0, 0}, {0, 1, 0}, {0, 0, side}});
+        chalk.wipe([](double, double) { return true; });
+        REQUIRE(chalk.solids().size() == 7);
+        const Solid& shaft = chalk.solids()[4];
+        CHECK(glm::normalize(glm::vec3(shaft.toWorld[0])).x == Approx(-1));
+        CHECK(shaft.toWorld[3].z == Approx(side * 0.0055F));
+        CHECK(shaft.toWorld[3].x < 0.036F);
+    }
 }

@@ -9,12 +9,14 @@
 
 #include <array>
 #include <cmath>
+#include <span>
 
 using namespace meltpool;
 
 namespace {
 
 constexpr float kOnFace = 0.2e-3F; ///< m
+constexpr size_t kMarks = 4, kArrow = 3;
 
 /// Ends at x = -12 and 12 mm of a seam along x that opens to `up`.
 std::array<JointEnd, 2> endsOf(const glm::vec3& up) {
@@ -36,8 +38,9 @@ glm::vec3 normalOf(const Solid& solid) {
 TEST_CASE("a butt joint has marks on both plates, at both ends", "[scene]") {
     const std::array<WorkpieceBlock, 2> plates{
         {{{-0.03F, -0.003F, -0.02F}, {0.03F, 0, -0.0004F}}, {{-0.03F, -0.003F, 0.0004F}, {0.03F, 0, 0.02F}}}};
-    const auto marks = jointMarks(endsOf({0, 1, 0}), plates);
-    REQUIRE(marks.size() == 4);
+    const auto all = jointMarks(endsOf({0, 1, 0}), plates);
+    REQUIRE(all.size() == kMarks + kArrow);
+    const std::span marks = std::span(all).first(kMarks);
     for (const Solid& mark : marks) {
         CHECK(std::abs(middleOf(mark).x) == Approx(0.012F));
         CHECK(std::abs(middleOf(mark).z) == Approx(0.0085F));
@@ -51,8 +54,9 @@ TEST_CASE("a tee has its marks on the base plate and on the upright plate", "[sc
     const std::array<WorkpieceBlock, 2> plates{
         {{{-0.03F, -0.004F, -0.02F}, {0.03F, 0, 0.02F}}, {{-0.03F, 0, -0.004F}, {0.03F, 0.02F, 0}}}};
     const float half = std::sqrt(0.5F);
-    const auto marks = jointMarks(endsOf({0, half, half}), plates);
-    REQUIRE(marks.size() == 4);
+    const auto all = jointMarks(endsOf({0, half, half}), plates);
+    REQUIRE(all.size() == kMarks + kArrow);
+    const std::span marks = std::span(all).first(kMarks);
     int onBase = 0, onUpright = 0;
     for (const Solid& mark : marks) {
         const glm::vec3 middle = middleOf(mark), normal = normalOf(mark);
@@ -75,7 +79,7 @@ TEST_CASE("a mark is a stroke of chalk on the face: thin, matt, ragged, and not 
     const std::array<WorkpieceBlock, 1> plate{{{{-0.03F, -0.003F, -0.0095F}, {0.03F, 0, 0.02F}}}};
     const SolidMeshes meshes = makeSolidMeshes();
     const auto marks = jointMarks(endsOf({0, 1, 0}), plate);
-    REQUIRE(marks.size() == 4);
+    REQUIRE(marks.size() == kMarks + kArrow);
     for (const Solid& mark : marks) {
         CHECK(mark.gloss == 0);
         CHECK(mark.colour.g > 0.7F);
@@ -99,8 +103,32 @@ TEST_CASE("a mark is a stroke of chalk on the face: thin, matt, ragged, and not 
 
 TEST_CASE("there is no mark where there is no face, and a pipe's lie along its axis", "[scene]") {
     const std::array<WorkpieceBlock, 1> narrow{{{{-0.03F, -0.003F, -0.004F}, {0.03F, 0, 0.02F}}}};
-    CHECK(jointMarks(endsOf({0, 1, 0}), narrow).size() == 2);
+    CHECK(jointMarks(endsOf({0, 1, 0}), narrow).size() == 2 + kArrow);
     const auto onPipe = jointMarks(endsOf({0, 1, 0}), {});
-    REQUIRE(onPipe.size() == 4);
+    REQUIRE(onPipe.size() == kMarks + kArrow);
     CHECK(std::abs(middleOf(onPipe[0]).z) == Approx(0.0085F));
+}
+
+TEST_CASE("an arrow at the first end points along the line, on the welder's side if that has a face", "[scene]") {
+    const std::array<WorkpieceBlock, 1> wide{{{{-0.03F, -0.003F, -0.02F}, {0.03F, 0, 0.02F}}}},
+        far{{{{-0.03F, -0.003F, -0.02F}, {0.03F, 0, 0.006F}}}},
+        shorter{{{{-0.03F, -0.003F, -0.02F}, {-0.01F, 0, 0.02F}}}};
+    const auto arrowOn = [](std::span<const WorkpieceBlock> blocks) {
+        const auto marks = jointMarks(endsOf({0, 1, 0}), blocks);
+        return std::vector<Solid>(marks.size() > kArrow ? marks.end() - kArrow : marks.begin(), marks.end());
+    };
+    const std::vector<Solid> arrow = arrowOn(wide);
+    REQUIRE(arrow.size() == kArrow);
+    CHECK(middleOf(arrow[0]).z == Approx(0.0085F));
+    const glm::vec3 shaft(arrow[0].toWorld[0]);
+    CHECK(glm::normalize(shaft).x == Approx(1)); // from x = -12 mm to 12 mm
+    const float tip = middleOf(arrow[0]).x + shaft.x / 2;
+    for (size_t i = 1; i < kArrow; ++i) { // barbs lie behind the tip, at both sides
+        CHECK(middleOf(arrow[i]).x < tip);
+        CHECK(middleOf(arrow[i]).x > middleOf(arrow[0]).x - 1e-3F);
+    }
+    CHECK((middleOf(arrow[1]).z - 0.0085F) * (middleOf(arrow[2]).z - 0.0085F) < 0);
+    CHECK(middleOf(arrowOn(far)[0]).z == Approx(-0.0085F));
+    for (const Solid& mark : jointMarks(endsOf({0, 1, 0}), shorter)) // a plate that ends before the arrow does
+        CHECK(std::abs(middleOf(mark).x + 0.012F) < 1e-5F);
 }

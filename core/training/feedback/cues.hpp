@@ -54,9 +54,6 @@ struct CuedQuantity {
 };
 std::span<const CuedQuantity> cuedQuantities();
 
-/// A set of quantities of technique, such as those that the desk's torch holds by itself.
-using QuantitySet = std::bitset<kTechniqueQuantities>;
-
 /// A trainee's progress with each cued quantity of a lesson, which fades its cue. Feedback during a movement guides
 /// strongly, and a trainee who always had it does poorly without it; less of it makes less dependent
 /// ("Reduced-Frequency Concurrent and Terminal Feedback: A Test of the Guidance Hypothesis", J. Motor Behavior 2000). A

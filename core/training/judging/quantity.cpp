@@ -2,6 +2,7 @@
 
 #include "core/base/words.hpp"
 
+#include <algorithm>
 #include <numbers>
 
 namespace meltpool {
@@ -48,6 +49,28 @@ const std::array<QuantityInfo, kTechniqueQuantities>& quantities(DistanceKind ki
 
 const QuantityInfo& quantityInfo(TechniqueQuantity quantity, DistanceKind kind) {
     return quantities(kind)[static_cast<size_t>(quantity)];
+}
+
+std::string keysOf(const QuantitySet& set, DistanceKind distance) {
+    std::string keys;
+    for (const QuantityInfo& each : quantities(distance))
+        if (set.test(static_cast<size_t>(each.quantity)) && !each.key.empty())
+            keys.append(keys.empty() ? "" : " ").append(each.key);
+    return keys;
+}
+
+std::string wordsOfKeys(std::string_view keys) {
+    std::string words;
+    while (!keys.empty()) {
+        const size_t end = std::min(keys.find(' '), keys.size());
+        std::string_view word = keys.substr(0, end);
+        for (const List* list : {&kElectrode, &kWire})
+            for (const QuantityInfo& each : *list)
+                if (each.key == keys.substr(0, end) && !each.key.empty()) word = each.words();
+        words.append(words.empty() ? "" : phrase("list.separator")).append(word);
+        keys.remove_prefix(std::min(end + 1, keys.size()));
+    }
+    return words;
 }
 
 } // namespace meltpool

@@ -4,8 +4,10 @@
 #include "core/weld/process/process_traits.hpp"
 
 #include <array>
+#include <bitset>
 #include <cstddef>
 #include <limits>
+#include <string>
 #include <string_view>
 
 namespace meltpool {
@@ -32,6 +34,9 @@ enum class TechniqueQuantity {
     rodFrequency, ///< dips of the rod towards the pool a second; 0 for a rod held still
 };
 inline constexpr size_t kTechniqueQuantities = 14;
+
+/// A set of quantities of technique, such as those that the desk's torch holds by itself.
+using QuantitySet = std::bitset<kTechniqueQuantities>;
 
 /// One value of each quantity in SI units: m, rad, m/s, Hz, s. NaN is unknown, the initial value.
 class TechniqueValues {
@@ -63,5 +68,10 @@ const QuantityInfo& quantityInfo(TechniqueQuantity quantity, DistanceKind distan
 
 /// All quantities of a process, in the order of TechniqueQuantity.
 const std::array<QuantityInfo, kTechniqueQuantities>& quantities(DistanceKind distance);
+
+/// Keys of the set's quantities with a blank between them, in the order of TechniqueQuantity: "aim travel_speed".
+std::string keysOf(const QuantitySet& set, DistanceKind distance);
+/// Names in sentences of the quantities with these keys, as a list: "aim, travel speed". Unknown keys stay as they are.
+std::string wordsOfKeys(std::string_view keys);
 
 } // namespace meltpool

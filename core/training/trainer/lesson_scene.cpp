@@ -55,7 +55,9 @@ void LessonScene::drawChalk() {
         const SeamFrame frame = seam.at(mm * 1e-3);
         return glm::vec3(frame.point + line * frame.across);
     };
-    chalk_.emplace(ChalkEnds{place(bands.lengthFromMm), place(bands.lengthToMm), glm::vec3(seam.at(0).up)});
+    const SeamFrame middle = seam.at(0);
+    chalk_.emplace(
+        ChalkEnds{place(bands.lengthFromMm), place(bands.lengthToMm), glm::vec3(middle.up), glm::vec3(middle.across)});
     welded_.emplace(seam, line);
 }
 
@@ -64,7 +66,8 @@ void LessonScene::markJoint(const TechniqueBands& bands) {
     std::vector<JointEnd> ends;
     for (const double mm : {bands.lengthFromMm, bands.lengthToMm}) {
         const SeamFrame frame = seam.at(mm * 1e-3);
-        ends.push_back({glm::vec3(frame.point), glm::vec3(frame.across), glm::vec3(frame.up)});
+        ends.push_back(
+            {glm::vec3(frame.point), glm::vec3(frame.across), glm::vec3(frame.up), glm::vec3(frame.tangent)});
     }
     marks_ = jointMarks(ends, withoutSurface({}).blocks);
 }

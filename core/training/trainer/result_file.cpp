@@ -139,6 +139,7 @@ Json attemptOf(const AttemptFacts& facts) {
     if (facts.zoom) json["zoom"] = jsonNumber(*facts.zoom);
     if (facts.guided) json["guided"] = *facts.guided;
     if (facts.swung) json["swung"] = *facts.swung;
+    text("held", facts.held);
     if (facts.changed) json["changed"] = *facts.changed;
     text("cues", facts.cues);
     text("ghost", facts.ghost);
@@ -246,6 +247,7 @@ AttemptFacts factsOf(const RecordedAttempt& attempt) {
     for (const RecordedEvent& note : attempt.notes) {
         if (note.name == "for_score") facts.forScore = note.value == "yes";
         if (note.name == "desk_swings" && note.value == "on") facts.swung = true;
+        if (note.name == "desk_holds") facts.held = note.value == "none" ? std::string() : note.value;
         if (note.name == "zoom") facts.zoom = parseDouble(note.value);
         if (note.name == "cues") addName(facts.cues, note.value);
         if (note.name == "ghost") addName(facts.ghost, note.value.substr(0, note.value.find(' '))); // "expert place"

@@ -22,6 +22,7 @@ struct AttemptFacts {
     std::optional<double> zoom;     ///< scale of the shown workpiece
     std::optional<bool> guided;     ///< true: the torch moved along the seam by itself
     std::optional<bool> swung;      ///< true: the torch swung across the seam by itself
+    std::string held;               ///< judged quantities that the desk held: "aim travel_speed"; empty: none known
     std::optional<bool> changed;    ///< true: workpiece, particles or given settings differed from the lesson's
     std::string cues;               ///< shown cues, by name; empty: none known
     std::string ghost;              ///< source of the shown torch: "expert", "best" or "file"; empty: none known

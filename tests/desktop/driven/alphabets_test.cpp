@@ -89,4 +89,44 @@ TEST_CASE("letters that no font has are named once, in the window and on the ter
     CHECK(told.find("溶") == told.rfind("溶"));
 }
 
+TEST_CASE("another language is chosen in the settings, counts at once and after a start, and leaves again") {
+    const fs::path share = catalogueOf("language-data", {});
+    const fs::path words = share / "data" / "words";
+    const std::string english = readTextFile(words / "en.toml");
+    fs::remove(words); // a link to the build's folder
+    fs::create_directories(words);
+    writeTextFileAtomically(words / "en.toml", english);
+    writeTextFileAtomically(words / "de.toml", "[language]\nname = \"Deutsch\"\n[home]\nlessons = \"Übungen\"\n"
+                                               "[desk.message]\npicture_saved = \"Bild gespeichert: {file}\"\n");
+    writeTextFileAtomically(words / "xx.toml", "[home]\nlessons = \"{open\"\n");
+    const auto says = [](const char* text) {
+        return [text](const json& s) { return s.at("messages").dump().find(text) != std::string::npos; };
+    };
+    TrainerWindow window("language", {.lesson = "", .data = share});
+    CHECK(parameterIn(window.state(), "window", "language") == "system");
+    window.key("F2");
+    window.click("window.language.de");
+    window.waitFor("German", [](const json& s) { return parameterIn(s, "window", "language") == "de"; });
+    window.settle();
+    window.takePicture("language-settings");
+    window.key("Escape");
+    window.key("F10");
+    window.waitFor("a German sentence", says("Bild gespeichert: "));
+    window.key("F2");
+    window.click("window.language.xx");
+    window.waitFor("its fault", says("xx.toml:2: home.lessons: expected each place in braces of its own"));
+    CHECK(parameterIn(window.settle(), "window", "language") == "de"); // it is still spoken
+    window.process().signal(SIGTERM);
+    CHECK(window.finish() == 0);
+
+    TrainerWindow again("language", {.settings = readTextFile(window.settingsFile()), .lesson = "", .data = share});
+    CHECK(parameterIn(again.state(), "window", "language") == "de");
+    again.key("F2");
+    again.click("window.language.system");
+    again.waitFor("English", [](const json& s) { return parameterIn(s, "window", "language") == "system"; });
+    again.key("Escape");
+    again.key("F10");
+    again.waitFor("an English sentence", says("Picture saved as "));
+}
+
 } // namespace meltpool::test

@@ -1,5 +1,6 @@
 // Tests whole lessons, from the list to the result and the next lesson, with the keyboard alone and with a gamepad
 // alone.
+#include "core/base/words.hpp"
 #include "tests/desktop/driven/driver.hpp"
 #include "tests/desktop/driven/scripted_gamepad.hpp"
 #include "tests/support/catch.hpp"
@@ -45,7 +46,7 @@ void waitForMetal(TrainerWindow& window) {
 }
 
 /// Waits for the result and checks that the weld is accepted.
-void waitForAccepted(TrainerWindow& window) {
+json waitForAccepted(TrainerWindow& window) {
     const json judged = window.waitFor("the result", [](const json& s) {
         return !s.at("judgement").is_null() && s.at("panels").at("result") == true;
     });
@@ -53,6 +54,7 @@ void waitForAccepted(TrainerWindow& window) {
     WARN(judgement.dump());
     CHECK(judgement.at("score").get<std::string>().starts_with("Score "));
     CHECK(judgement.at("verdict").get<std::string>().starts_with("Accepted"));
+    return judged;
 }
 
 /// Travel speed between two rows, mm for a second of the metal's time.
@@ -75,7 +77,8 @@ void weldByKeys(const std::string& lesson, double end, double speed) {
     const json over = window.waitFor("the end of the weld", [&](const json& s) { return tipAlong(s) > end; });
     window.xdotool({"keyup", "Right", "keyup", "Shift_L", "keyup", "space"});
     CHECK(speedBetween(begun, over) == Approx(speed).epsilon(0.03)); // of the metal's time, however slow it runs
-    waitForAccepted(window);
+    CHECK_THAT(waitForAccepted(window).at("judgement").at("note").get<std::string>(),
+               containsText(phrase("judgement.score.all_held")));
     window.takePicture("keys-alone-" + lesson);
     window.key("Return");
     window.waitFor("the next lesson's page", [](const json& s) { return onPage(s, "start"); });
