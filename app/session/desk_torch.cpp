@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <numbers>
 #include <numeric>
@@ -29,15 +30,15 @@ constexpr double kSteepest = 60 * kDegree;
 constexpr double kNearest = 0.5 * kMm; // least distance of a contact tip
 constexpr double kInto = -0.5 * kMm;   // of an electrode or iron, which touches the metal
 constexpr double kLongest = 60 * kMm;
-constexpr double kRise = 4 * kMm;      // m/s at which a hand rises with the growing pool
-constexpr double kKeyRamp = 0.12;      // s in which the keys' speed changes
+constexpr double kRise = 4 * kMm;       // m/s at which a hand rises with the growing pool
+constexpr double kKeyRamp = 0.12;       // s in which the keys' speed changes
 constexpr double kUsualSpeed = 6 * kMm; // m/s of the keys in a lesson that asks for none
-constexpr float kSteepSeam = 0.4F;     // of the seam's direction on the screen, to the side
-constexpr double kStickAside = 0.5;    // share of a stick's push that counts as its error to the other side
-constexpr double kPointsPerMove = 100; // points of mouse travel per move of ControlParameters::torchMouse
-constexpr double kRodFeed = 4 * kMm;   // m/s of the fingers while a rod is dipped, without a demonstration
-constexpr double kRodShare = 0.5;      // of the time that it is dipped, to feed as much as the demonstration
-constexpr double kRodTime = 0.15;      // s from rest into the pool
+constexpr float kSteepSeam = 0.4F;      // of the seam's direction on the screen, to the side
+constexpr double kStickAside = 0.5;     // share of a stick's push that counts as its error to the other side
+constexpr double kPointsPerMove = 100;  // points of mouse travel per move of ControlParameters::torchMouse
+constexpr double kRodFeed = 4 * kMm;    // m/s of the fingers while a rod is dipped, without a demonstration
+constexpr double kRodShare = 0.5;       // of the time that it is dipped, to feed as much as the demonstration
+constexpr double kRodTime = 0.15;       // s from rest into the pool
 
 /// Ideal of a band in SI, or `otherwise`.
 double idealOf(const Lesson& lesson, TechniqueQuantity quantity, double otherwise) {
@@ -124,7 +125,7 @@ void DeskTorch::begin(const Lesson& lesson) {
     left_ = time_ = 0;
     keyPace_ = {};
     keyWays_ = glm::dmat2(0);
-    guided_ = paced_ = aside_ = false;
+    guided_ = paced_ = asideAsked_ = aside_ = false;
     weave_.begin(lesson.torch);
     hold_ = lesson.torch.rod().value_or(RodHold{});
     hold_.feed = hold_.feed > 0 ? hold_.feed / kRodShare : kRodFeed;
@@ -163,7 +164,8 @@ void DeskTorch::update(const InputFrame& input, const DeskFrame& frame, const Co
     wanted_.distance = std::clamp(wanted_.distance, kind_ == DistanceKind::ctwd ? kNearest : kInto, kLongest);
     wanted_.work = std::clamp(wanted_.work, -kSteepest, kSteepest);
     wanted_.travel = std::clamp(wanted_.travel, -kSteepest, kSteepest);
-    aside_ = aside_ && !hasMoved(before, wanted_);
+    stirs_ = hasMoved(before, wanted_);
+    if (aside_ && stirs_) aside_ = asideAsked_ = false;
 }
 
 /// `way`: m on the screen, x right and y up.
@@ -206,7 +208,7 @@ void DeskTorch::leadByKeys(const InputFrame& input, const DeskFrame& frame, doub
         keyWays_ = steep ? glm::dmat2(0, sign(axes.across.x), sign(axes.along.y), 0)
                          : glm::dmat2(sign(axes.along.x), 0, 0, sign(axes.across.y));
     }
-    if (aside_ && held == glm::dvec2(0)) keyPace_ = {}; // keys that were let go do not lead a torch put aside
+    if (asideAsked_ && held == glm::dvec2(0)) keyPace_ = {}; // keys that were let go do not lead a torch put aside
     keyPace_ += (keyWays_ * held - keyPace_) * (1 - std::exp(-frame.seconds / kKeyRamp));
     wanted_.place += keyPace_.x * speed * frame.seconds;
     wanted_.aim += keyPace_.y * speed * frame.seconds;
@@ -233,25 +235,34 @@ double DeskTorch::wayLeft() const {
 
 /// Notes which quantities the hand leads on the way to `target`.
 void DeskTorch::noteLed(const DeskPose& target) {
-    const auto note = [this](TechniqueQuantity quantity, double from, double to) {
+    using enum TechniqueQuantity;
+    const auto note = [this](double from, double to, std::initializer_list<TechniqueQuantity> quantities) {
         constexpr double kLeast = 1e-7; // m, or rad
-        if (std::abs(to - from) > kLeast) led_.set(static_cast<size_t>(quantity));
+        if (std::abs(to - from) <= kLeast) return;
+        for (const TechniqueQuantity each : quantities)
+            led_.set(static_cast<size_t>(each));
     };
-    note(TechniqueQuantity::travelSpeed, held_.place, target.place);
-    note(TechniqueQuantity::aim, held_.aim, target.aim);
-    note(TechniqueQuantity::distance, held_.distance, target.distance);
-    note(TechniqueQuantity::workAngle, held_.work, target.work);
-    note(TechniqueQuantity::travelAngle, held_.travel, target.travel);
+    note(held_.place, target.place, {travelSpeed, whipLength, whipPeriod, whipDwell});
+    note(held_.aim, target.aim, {aim, weaveWidth, weaveFrequency, weaveDwell});
+    note(held_.distance, target.distance, {distance});
+    note(held_.work, target.work, {workAngle});
+    note(held_.travel, target.travel, {travelAngle});
+    note(held_.dip, target.dip, {rodFrequency});
 }
 
 QuantitySet DeskTorch::held() const {
     QuantitySet held = ~led_;
-    if (guided_ || paced_) held.set(static_cast<size_t>(TechniqueQuantity::travelSpeed));
+    using enum TechniqueQuantity;
+    if (guided_ || paced_) held.set(static_cast<size_t>(travelSpeed));
+    if (weave_.swung())
+        for (const TechniqueQuantity each : {weaveWidth, weaveFrequency, weaveDwell})
+            held.set(static_cast<size_t>(each));
     return held;
 }
 
 TorchSample DeskTorch::next(int step, int due, double seconds, float burntOff, float trigger) {
-    aside_ = aside_ && trigger <= 0;
+    if (aside_ && trigger > 0) aside_ = asideAsked_ = false;
+    aside_ = aside_ || (asideAsked_ && !stirs_ && trigger <= 0);
     if (trigger > 0) { // guide and tremor go on by themselves; only the hand's own way is divided among the steps
         guided_ = guided_ || guide_ > 0;
         paced_ = paced_ || keysKeepPace_;

@@ -47,8 +47,9 @@ class DeskTorch {
     void begin(const Lesson& lesson);
     /// Moves the torch to this place along the seam (m); its pose stays.
     void standAt(double place);
-    /// Puts the torch aside, out of the picture, until the hand leads it or pulls its trigger.
-    void putAside() { aside_ = true; }
+    /// Puts the torch aside, out of the picture, as soon as its trigger and the keys that lead it are let go, until the
+    /// hand leads it or pulls its trigger again.
+    void putAside() { asideAsked_ = true; }
     bool aside() const { return aside_; }
     /// True if there is a seam.
     bool leads() const { return seam_.has_value(); }
@@ -102,20 +103,22 @@ class DeskTorch {
     double time_ = 0;   ///< s of the metal since begin()
     HandTremor hand_{1};
     bool guided_ = false;
-    bool aside_ = false; ///< see putAside()
+    bool asideAsked_ = false; ///< see putAside()
+    bool aside_ = false;
+    bool stirs_ = false; ///< the hand moved it in the last frame
     DeskWeave weave_;
-    RodHold hold_;    ///< the demonstration's hold of the rod; its feed is that of a dipped one
-    QuantitySet led_; ///< quantities that the hand has led while it welded
-    DeskPose wanted_; ///< target that the hand sets
-    DeskPose held_;   ///< pose at the last step
-    double pool_ = 0; ///< m by which the demonstration is held higher, over its pool
-    double rise_ = 0; ///< m of that which this torch has risen
+    RodHold hold_;              ///< the demonstration's hold of the rod; its feed is that of a dipped one
+    QuantitySet led_;           ///< quantities that the hand has led while it welded
+    DeskPose wanted_;           ///< target that the hand sets
+    DeskPose held_;             ///< pose at the last step
+    double pool_ = 0;           ///< m by which the demonstration is held higher, over its pool
+    double rise_ = 0;           ///< m of that which this torch has risen
     double askedSpeed_ = 0;     ///< m/s, travel speed that the lesson asks for
     bool keysKeepPace_ = false; ///< the keys lead along the seam at that speed
     bool paced_ = false;        ///< and did so while the torch welded, since begin()
-    glm::dvec2 keyPace_{0}; ///< share of the keys' speed along and across the seam
-    glm::dmat2 keyWays_{0}; ///< turns held arrows, x right and y up, into ways along and across
-    double left_ = 0; ///< m that the guide went beyond the hand's own way
+    glm::dvec2 keyPace_{0};     ///< share of the keys' speed along and across the seam
+    glm::dmat2 keyWays_{0};     ///< turns held arrows, x right and y up, into ways along and across
+    double left_ = 0;           ///< m that the guide went beyond the hand's own way
 };
 
 } // namespace meltpool

@@ -1,6 +1,7 @@
 // Makers' charts at the machine's panel: the rows of the shipped lessons, their words, and the taking of a row.
 #include "app/session/lesson_session.hpp"
 #include "app/ui/panels.hpp"
+#include "core/base/text.hpp"
 #include "tests/desktop/parts/drawn_interface.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/places.hpp"

@@ -117,6 +117,28 @@ TEST_CASE("the desk holds what the hand does not lead while it welds") {
     CHECK(held(desk, TechniqueQuantity::travelSpeed));
 }
 
+TEST_CASE("dips of the rod and swings of the mouse are the hand's, swings of the desk are not") {
+    const auto held = [](const Desk& desk, TechniqueQuantity quantity) {
+        return desk.torch.held().test(static_cast<size_t>(quantity));
+    };
+    Desk rod("gtaw-rod");
+    rod.frames(5);
+    CHECK(held(rod, TechniqueQuantity::rodFrequency));
+    InputFrame dip;
+    dip.held.set(static_cast<size_t>(Key::r));
+    rod.frames(5, dip);
+    CHECK_FALSE(held(rod, TechniqueQuantity::rodFrequency));
+    CHECK(held(rod, TechniqueQuantity::rodAngle));
+
+    Desk weave("tee-3f");
+    InputFrame aside;
+    aside.mouseMove = {7, 9}; // along and across
+    weave.frames(5, aside);
+    CHECK_FALSE(held(weave, TechniqueQuantity::weaveWidth));
+    weave.frames(5, struck(Key::g));
+    CHECK(held(weave, TechniqueQuantity::weaveWidth));
+}
+
 TEST_CASE("the desk swings its torch as the demonstration does, by a key, and fades no cue by it") {
     Desk plain("gmaw-bead");
     plain.frame(struck(Key::g));
@@ -179,11 +201,29 @@ TEST_CASE("a torch that was put aside comes back when the hand leads it or welds
     desk.frame(mouse, false);
     CHECK_FALSE(desk.torch.aside());
     desk.torch.putAside();
+    desk.frame({}, false);
+    CHECK(desk.torch.aside());
     desk.frame();
     CHECK_FALSE(desk.torch.aside());
+    desk.frame({}, false);
+    CHECK_FALSE(desk.torch.aside()); // until it is put aside again
     desk.torch.putAside();
+    desk.frame({}, false);
     desk.torch.begin(desk.lesson);
     CHECK_FALSE(desk.torch.aside());
+}
+
+TEST_CASE("a weld that is judged while trigger and keys are still held puts the torch aside once they are let go") {
+    Desk desk("gmaw-bead");
+    InputFrame held = pressed(Key::right);
+    held.held.set(static_cast<size_t>(Key::right));
+    held.held.set(static_cast<size_t>(Key::shift));
+    desk.frames(10, held);
+    desk.torch.putAside();
+    desk.frames(5, held);
+    CHECK_FALSE(desk.torch.aside());
+    desk.frame({}, false);
+    CHECK(desk.torch.aside());
 }
 
 TEST_CASE("a guided desk torch is measured as it is held, on plate, tee and under each process") {
