@@ -79,7 +79,8 @@ ChalkLine::ChalkLine(const ChalkEnds& ends) {
 void ChalkLine::wipe(FunctionRef<bool(double from, double to)> welded) {
     shown_.clear();
     for (const Stroke& stroke : strokes_)
-        if (stroke.stays || !welded(stroke.from, stroke.to)) shown_.push_back(stroke.solid);
+        if (stroke.stays || !welded(static_cast<double>(stroke.from), static_cast<double>(stroke.to)))
+            shown_.push_back(stroke.solid);
 }
 
 } // namespace meltpool

@@ -42,7 +42,7 @@ class ChalkLine {
     /// One stroke with its way along the line, m.
     struct Stroke {
         Solid solid;
-        double from = 0, to = 0;
+        float from = 0, to = 0;
         bool stays = false; ///< beside every weld on the line
     };
     std::vector<Stroke> strokes_;

@@ -15,7 +15,6 @@ namespace meltpool {
 
 namespace {
 
-constexpr float kMm = 1e-3F;
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kFreezing = 2;   // s after the arc
 constexpr double kRunIn = 5;      // mm of weld before the stretch that counts, and behind it

@@ -46,7 +46,7 @@ TEST_CASE("an arm in the line of sight hides a light, and one beside, behind or 
 TEST_CASE("an edge hides a light bit by bit, and a thin wire only as much as its width", "[render]") {
     double last = 0;
     for (const float height : {0.049f, 0.0495f, 0.05f, 0.0505f, 0.051f}) { // the light's cone has 0.8 mm there
-        const double share = seenPast(armAcross(height, 0.2f), kEye, kLight, kRadius / 0.6f * 0.4f);
+        const auto share = static_cast<double>(seenPast(armAcross(height, 0.2f), kEye, kLight, kRadius / 0.6f * 0.4f));
         CHECK(share >= last);
         last = share;
     }
