@@ -24,6 +24,12 @@ xr::Pose middleOf(const std::array<xr::EyeView, 2>& eyes) {
     return xr::interpolate(eyes[0].pose, eyes[1].pose, 0.5f);
 }
 
+Stance stanceOf(LessonSession& session) {
+    const Lesson& lesson = session.lesson();
+    if (lesson.model != LessonModel::Weld) return {};
+    return stanceFor(beforeFace(session.picture().fixture()), lesson.torch);
+}
+
 } // namespace
 
 HeadsetFrontEnd::HeadsetFrontEnd(const std::filesystem::path& folder)
@@ -62,7 +68,7 @@ bool HeadsetFrontEnd::begin(LessonSession& session, const Home& home, double ela
     section_.idle = idleParameters(weld);
     if (parameters_.table == HeadsetParameters::kSetHeight) parameters_.tableHeight = parameters_.setHeight;
     place_ = WorkpiecePlace(parameters_.tableHeight, shownZoom(parameters_, weld), session.picture().bottom(),
-                            beforeFace(session.picture().fixture()));
+                            beforeFace(session.picture().fixture()), stanceOf(session));
     connection_.use(settingsOf(parameters_)); // the settings file may have been read since the start
     const bool runs = connection_.update() == xr::ConnectionState::running;
     drawn_ = drawn_ && connection_.headset() != nullptr;

@@ -19,6 +19,10 @@ float yawOf(const glm::quat& orientation) {
     return std::atan2(-forward.x, -forward.z);
 }
 
+glm::mat3 turnOf(const Stance& stance) {
+    return glm::mat3_cast(glm::angleAxis(-stance.turned, glm::vec3(0, 1, 0)));
+}
+
 } // namespace
 
 float Workshop::place(const xr::Pose& head, std::optional<float> setHeight, bool floorKnown) {
@@ -44,14 +48,36 @@ Fixture beforeFace(const Fixture& held) {
     return fixture;
 }
 
-WorkpiecePlace::WorkpiecePlace(float tableHeight, float theZoom, float bottom, const Fixture& held)
-    : origin(0, tableHeight + held.overTable - bottom * theZoom, 0),
+Stance stanceFor(const Fixture& fixture, const TorchPath& demonstration) {
+    constexpr double kWelding = 0.5;                   // s after the first pull
+    constexpr float kHidden = 0.766f, kClear = 0.643f; // cosines of the least angles
+    constexpr float kTurned = 0.436f, kAside = 0.12f;  // the greatest
+    constexpr int kSteps = 5;
+    const auto pull = demonstration.firstPull();
+    if (!pull) return {};
+    const glm::vec3 back = -(fixture.turn * demonstration.sample(*pull + kWelding).axis());
+    const float way = back.x > 0 ? -1.0f : 1.0f; // away from the side to which the handle leans
+    const glm::vec3 eyes(0, Workshop::kDrop - fixture.overTable, Workshop::kReach);
+    Stance stance;
+    for (int i = 0; i <= kSteps; ++i) {
+        const float share = way * static_cast<float>(i) / kSteps;
+        stance = {share * kTurned, share * kAside};
+        const glm::vec3 sight = glm::normalize(eyes + glm::vec3(stance.aside, 0, 0));
+        if (glm::dot(sight, turnOf(stance) * back) < (i == 0 ? kHidden : kClear)) break;
+    }
+    return stance;
+}
+
+WorkpiecePlace::WorkpiecePlace(float tableHeight, float theZoom, float bottom, const Fixture& held,
+                               const Stance& stance)
+    : origin(-stance.aside, tableHeight + held.overTable - bottom * theZoom, 0),
       zoom(theZoom),
       overTable(held.overTable),
-      turn(held.turn) {}
+      turn(turnOf(stance) * held.turn),
+      stance_(turnOf(stance)) {}
 
 glm::mat4 WorkpiecePlace::modelToWorkshop(float unit) const {
-    return glm::scale(glm::translate(glm::mat4(1.0f), origin), glm::vec3(unit * zoom));
+    return glm::scale(glm::translate(glm::mat4(1.0f), origin) * glm::mat4(stance_), glm::vec3(unit * zoom));
 }
 
 } // namespace meltpool

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/headset/headset_parameters.hpp"
+#include "core/weld/torch/torch_path.hpp"
 #include "core/weld/workpiece/position.hpp"
 #include "xr/pose.hpp"
 
@@ -41,8 +42,19 @@ class Workshop {
 /// overhead one above it, each within reach of the eyes whose table is Workshop::kDrop below them.
 Fixture beforeFace(const Fixture& held);
 
+/// Turn and shift of the workpiece before a person who stands upright, so that the torch does not hide the pool: a
+/// welder looks past the torch from the side.
+struct Stance {
+    float turned = 0; ///< rad about the vertical; positive: the workpiece's right end comes nearer
+    float aside = 0;  ///< m to the person's left
+};
+
+/// Returns no turn if the eyes look at the pool at 40 degrees to the demonstration's torch or more; else the least turn
+/// and shift with 50 degrees, or the greatest of 25 degrees and 12 cm. `fixture`: see beforeFace().
+Stance stanceFor(const Fixture& fixture, const TorchPath& demonstration);
+
 /// Place of the workpiece on the table, or over it: its own frame (m, origin set by the lesson) enlarged by the zoom
-/// and turned as its position requires.
+/// and turned as its position and the person's stance require.
 struct WorkpiecePlace {
     glm::vec3 origin{0.0f}; ///< origin of the workpiece's frame, in the workshop
     float zoom = 1.0f;
@@ -51,7 +63,7 @@ struct WorkpiecePlace {
 
     /// `bottom`: height of the workpiece's lowest place over its origin, m, with y upwards in the workshop. The
     /// workpiece rests on the table, whose height is in m, or higher by the height of its fixture.
-    WorkpiecePlace(float tableHeight, float theZoom, float bottom, const Fixture& held = {});
+    WorkpiecePlace(float tableHeight, float theZoom, float bottom, const Fixture& held = {}, const Stance& stance = {});
 
     glm::vec3 toWorkpiece(const glm::vec3& inWorkshop) const {
         return glm::transpose(turn) * ((inWorkshop - origin) / zoom);
@@ -60,8 +72,11 @@ struct WorkpiecePlace {
         return glm::quat_cast(glm::transpose(turn)) * inWorkshop;
     }
     glm::vec3 toWorkshop(const glm::vec3& inWorkpiece) const { return origin + turn * inWorkpiece * zoom; }
-    /// Matrix from a turned model whose unit is `unit` metres of the workpiece's frame.
+    /// Matrix from a model that its fixture turned, whose unit is `unit` metres of the workpiece's frame.
     glm::mat4 modelToWorkshop(float unit) const;
+
+  private:
+    glm::mat3 stance_{1.0f}; ///< turn of the stance
 };
 
 } // namespace meltpool

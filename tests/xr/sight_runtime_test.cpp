@@ -2,6 +2,7 @@
 // Not among the ordinary tests: somebody has to look at the pictures, where the pool must be free.
 // Full size needs MELTPOOL_XR_SCREEN=2560x1440x24 and XRT_COMPOSITOR_XCB_FULLSCREEN=1 in the environment:
 //   MELTPOOL_XR_PICTURES=FOLDER tests/xr/run_on_monado.sh build/release/bin/test_xr_runtime "[pictures]"
+// MELTPOOL_XR_LESSON names one of its lessons alone.
 #include "core/training/lesson/lesson.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/places.hpp"
@@ -11,6 +12,7 @@
 #include <glm/trigonometric.hpp>
 
 #include <algorithm>
+#include <cstdlib>
 #include <string>
 
 using namespace meltpool;
@@ -69,11 +71,13 @@ TEST_CASE("pictures of both eyes at work, in each process, from three persons' h
     const std::string name = GENERATE("gmaw-bead", "tee-fillet", "gtaw-bead", "smaw-bead", "solder-joint");
     const Person person =
         GENERATE(Person{"155", 1.44F, 1}, Person{"195", 1.83F, 1}, Person{"seated", 1.2F, 1}, Person{"left", 1.6F, 0});
+    if (const char* only = std::getenv("MELTPOOL_XR_LESSON"); only != nullptr && name != only) return;
     const Lesson lesson = readLesson(test::sourceFolder() / "app" / "data" / "lessons" / (name + ".toml"));
     Trainee trainee;
     trainee.hand = person.hand;
     trainee.bottom = makeWorkpiece(lesson.workpiece).low.y;
     trainee.zoom = 1;
+    trainee.stance = stanceFor(beforeFace(fixtureOf(lesson.workpiece)), lesson.torch);
     trainee.torch = torchGeometry(lesson.process);
     trainee.tableTop = trainee.tableHeight = person.eyes - Workshop::kDrop;
     trainee.state.head.position = {0, person.eyes, 0};

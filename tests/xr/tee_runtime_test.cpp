@@ -65,6 +65,7 @@ TEST_CASE("the shipped tee fillet is picked, welded end to end, scored and begun
     Trainee trainee;
     trainee.bottom = makeWorkpiece(lesson.workpiece).low.y;
     trainee.zoom = 1;
+    trainee.stance = stanceFor(beforeFace(fixtureOf(lesson.workpiece)), lesson.torch);
     trainee.torch = torchGeometry(lesson.process);
     trainee.held = heldOrientation(glm::radians(45.0), glm::radians(20.0), kAlong);
     TrainerProcess trainer(runFolder() / "tee", {"--headset"});

@@ -28,13 +28,14 @@ std::filesystem::path plateLesson(const std::filesystem::path& folder);
 struct Trainee {
     RemoteDriver driver{driverPort()};
     RemoteState state;
-    size_t hand = 1;                         ///< hand with the torch: 0 left, 1 right
-    std::optional<size_t> pointingHand = {}; ///< hand that points at the panel; the torch's hand if empty
-    float zoom = 4;                          ///< zoom of the lesson
+    size_t hand = 1;                            ///< hand with the torch: 0 left, 1 right
+    std::optional<size_t> pointingHand = {};    ///< hand that points at the panel; the torch's hand if empty
+    float zoom = 4;                             ///< zoom of the lesson
     float tableHeight = 1.6f - Workshop::kDrop; ///< m over the workshop's floor
     float tableTop = 1.6f - Workshop::kDrop;    ///< m, in the session's space
-    float bottom = -0.04f;                   ///< lowest place of the lesson's box in the workpiece's frame, m
-    TorchGeometry torch = kPlainTorch;       ///< the lesson's torch, whose own tip counts
+    Stance stance = {};                         ///< of the lesson
+    float bottom = -0.04f;                      ///< lowest place of the lesson's box in the workpiece's frame, m
+    TorchGeometry torch = kPlainTorch;          ///< the lesson's torch, whose own tip counts
     glm::quat held = glm::angleAxis(-0.8f, glm::vec3(1, 0, 0)); ///< the torch's orientation
 
     /// Puts both hands next to the table, the torch's away from the metal.
