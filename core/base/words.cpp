@@ -137,7 +137,8 @@ std::vector<std::string> languages() {
 
 std::string languageName(std::string_view language) {
     try {
-        if (const std::string* name = Words(wordsFolder(), language).find("language.name")) return *name;
+        const Words words(wordsFolder(), language);
+        if (const std::string* name = words.find("language.name")) return *name;
     } catch (const InputError&) {
         // chooseLanguage() reports the fault
     }

@@ -94,6 +94,8 @@ TEST_CASE("a language without a file is refused with those that have one", "[bas
     CHECK_THROWS_WITH(chooseLanguage("xx"),
                       containsText("no file for the language 'xx'; expected one of: ") && containsText("en"));
     CHECK(language() == "en");
+    CHECK(languageName("en") == "English");
+    CHECK(languageName("xx") == "xx");
     const std::vector<std::string> all = languages();
     CHECK(std::find(all.begin(), all.end(), "en") != all.end());
 }
