@@ -73,7 +73,7 @@ TEST_CASE("a plate has a soapstone line, a joint marks at both ends of its lengt
     tee.workpiece.kind = static_cast<int>(WorkpieceKind::Tee);
     tee.technique->lengthFromMm = -8;
     tee.technique->lengthToMm = 8;
-    CHECK(chalk(tee) == 4);
+    CHECK(chalk(tee) == 7); // two marks at each end, three strokes of an arrow
 }
 
 TEST_CASE("the arc wipes the soapstone line off under it; another attempt has it again", "[training]") {
