@@ -30,10 +30,12 @@ class PanelPage {
     LessonSession session{test::shaders(), test::smallBead(), [] { return 0.0; }}; // makes the context of the panels
     ShownPanel usual{{}};
 
-    /// Draws the page until its sizes are settled, with the pointer at a place of the panel or beside it.
-    std::map<std::string, ui::Place> draw(ShownPanel& shown, std::optional<glm::vec2> pointer = {}) {
+    /// Draws the page until its sizes are settled, with the pointer at a place of the panel or beside it. `elapsed`: s
+    /// of each of four frames.
+    std::map<std::string, ui::Place> draw(ShownPanel& shown, std::optional<glm::vec2> pointer = {},
+                                          double elapsed = 1.0 / 60) {
         for (int frame = 0; frame < 4; ++frame)
-            shown.menu.draw(shown.panel, {pointer}, 1.0 / 60, session,
+            shown.menu.draw(shown.panel, {pointer}, elapsed, session,
                             {home_, section_, {}, {}, false, figures_, false, false, nullptr});
         return shown.menu.places();
     }
@@ -126,17 +128,22 @@ TEST_CASE("no button of a lesson's page and a demonstration is cut off", "[app]"
     page.checkButtons();
 }
 
-TEST_CASE("a tooltip is at the panel's far edge and leaves the rows around its button free", "[app]") {
+TEST_CASE("a tooltip comes once the pointer rests, at the panel's far edge, and leaves the rows around its button free",
+          "[app]") {
     PanelPage page;
     page.session.demonstrate(page.controls);
     const ui::Place button = page.draw(page.usual).at("demonstration.weld");
     const Image without = page.usual.picture();
-    page.draw(page.usual, glm::vec2(button.x + button.width / 2, button.y + button.height / 2));
+    const glm::vec2 middle(button.x + button.width / 2, button.y + button.height / 2);
+    page.draw(page.usual, middle);
+    const Image passing = page.usual.picture();
+    page.draw(page.usual, middle, 0.2);
     const Image with = page.usual.picture();
     const int top = static_cast<int>(button.y), bottom = static_cast<int>(button.y + button.height) + 2;
     constexpr int kRows = 160; // of pixels: three rows of buttons
     CHECK(differing(without, with, bottom, bottom + kRows) == 0);
     CHECK(differing(without, with, top - kRows, top - 2) == 0);
+    CHECK(differing(without, passing, bottom + kRows, without.height) == 0);
     CHECK(differing(without, with, bottom + kRows, without.height) > 2000);
 }
 
