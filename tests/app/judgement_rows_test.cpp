@@ -88,7 +88,7 @@ TEST_CASE("score and parameters are told with what was asked for, signs as sides
     CHECK(angle.state == RowState::good);
 }
 
-TEST_CASE("what the desk held is told beside the score, and counts as neither good nor bad", "[app]") {
+TEST_CASE("the score names the quantities that the desk held; they are neither good nor bad", "[app]") {
     Judgement judgement;
     judgement.score = scored();
     const TechniqueBands bands = asked();

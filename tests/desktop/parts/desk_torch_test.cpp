@@ -83,12 +83,22 @@ double degrees(double radians) {
     return radians * 180 / std::numbers::pi;
 }
 
+/// Shift and the right arrow held down, which lead the torch along the seam.
+InputFrame ledByKeys() {
+    InputFrame input = pressed(Key::right);
+    input.held.set(static_cast<size_t>(Key::right));
+    input.held.set(static_cast<size_t>(Key::shift));
+    return input;
+}
+
+/// True if the desk has held this quantity.
+bool held(const Desk& desk, TechniqueQuantity quantity) {
+    return desk.torch.held().test(static_cast<size_t>(quantity));
+}
+
 } // namespace
 
 TEST_CASE("the desk holds what the hand does not lead while it welds") {
-    const auto held = [](const Desk& desk, TechniqueQuantity quantity) {
-        return desk.torch.held().test(static_cast<size_t>(quantity));
-    };
     Desk desk("gmaw-bead");
     InputFrame wheel;
     wheel.scroll = 2;
@@ -118,9 +128,6 @@ TEST_CASE("the desk holds what the hand does not lead while it welds") {
 }
 
 TEST_CASE("dips of the rod and swings of the mouse are the hand's, swings of the desk are not") {
-    const auto held = [](const Desk& desk, TechniqueQuantity quantity) {
-        return desk.torch.held().test(static_cast<size_t>(quantity));
-    };
     Desk rod("gtaw-rod");
     rod.frames(5);
     CHECK(held(rod, TechniqueQuantity::rodFrequency));
@@ -189,10 +196,7 @@ TEST_CASE("the desk swings its torch as the demonstration does, by a key, and fa
 
 TEST_CASE("a torch that was put aside comes back when the hand leads it or welds, not by keys that were let go") {
     Desk desk("gmaw-bead");
-    InputFrame held = pressed(Key::right);
-    held.held.set(static_cast<size_t>(Key::right));
-    held.held.set(static_cast<size_t>(Key::shift));
-    desk.frames(10, held);
+    desk.frames(10, ledByKeys());
     desk.torch.putAside(); // the keys' speed would run on
     desk.frame({}, false);
     CHECK(desk.torch.aside());
@@ -215,12 +219,9 @@ TEST_CASE("a torch that was put aside comes back when the hand leads it or welds
 
 TEST_CASE("a weld that is judged while trigger and keys are still held puts the torch aside once they are let go") {
     Desk desk("gmaw-bead");
-    InputFrame held = pressed(Key::right);
-    held.held.set(static_cast<size_t>(Key::right));
-    held.held.set(static_cast<size_t>(Key::shift));
-    desk.frames(10, held);
+    desk.frames(10, ledByKeys());
     desk.torch.putAside();
-    desk.frames(5, held);
+    desk.frames(5, ledByKeys());
     CHECK_FALSE(desk.torch.aside());
     desk.frame({}, false);
     CHECK(desk.torch.aside());
