@@ -1,5 +1,6 @@
 #include "app/desktop/interface.hpp"
 
+#include "app/ui/panels.hpp"
 #include "core/base/work_meter.hpp"
 
 #include <algorithm>
@@ -63,6 +64,7 @@ void Interface::begin(float size, bool captured, bool byKeyboard, const InputFra
     io.DeltaTime = std::max(std::chrono::duration<float>(now - lastBegin_).count(), 1e-4f);
     lastBegin_ = now;
     steering_.press(byKeyboard, input);
+    letWheelThroughMessages(input.scroll != 0);
     ImGui::NewFrame();
     context_.beginFrame();
 }

@@ -3,6 +3,8 @@
 #include "core/base/words.hpp"
 #include "core/render/look/temperature_scale.hpp"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,6 +17,7 @@ namespace {
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollbar |
                                     ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoBringToFrontOnFocus;
+constexpr const char* kMessages = "messages"; ///< name of their window
 
 void beginBar(Context& context, const char* name, float y) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
@@ -296,6 +299,12 @@ void statusBar(Context& context, const LessonFigures& figures, const KeySituatio
     ImGui::End();
 }
 
+void letWheelThroughMessages(bool wheelMoves) {
+    if (!wheelMoves) return;
+    if (ImGuiWindow* const window = ImGui::FindWindowByName(kMessages))
+        window->Flags |= ImGuiWindowFlags_NoMouseInputs; // Begin() of this frame takes it back
+}
+
 void messageStack(Context& context, Messages& messages, float left, float right, bool welds) {
     constexpr float kLow = 400; // points: a message would cover the arc
     if (messages.shown().empty() || (welds && lowerThan(context, kLow))) return;
@@ -308,7 +317,7 @@ void messageStack(Context& context, Messages& messages, float left, float right,
                             {0.5f, 0});
     ImGui::SetNextWindowSize({width, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-    ImGui::Begin("messages", nullptr,
+    ImGui::Begin(kMessages, nullptr,
                  (kFixed & ~ImGuiWindowFlags_NoBringToFrontOnFocus) | ImGuiWindowFlags_NoBackground |
                      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize);
     ImGui::PopStyleVar();

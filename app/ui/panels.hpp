@@ -117,6 +117,9 @@ void helpOverlay(Context& context, bool& open, const KeySituation& now);
 /// Draws the messages at the top. `left`, `right`: width covered by panels there, points. A click hides a message.
 /// `welds`: the person welds; in a low window the messages, which would cover the arc, wait meanwhile.
 void messageStack(Context& context, Messages& messages, float left, float right, bool welds);
+/// To be called before Dear ImGui's frame: the wheel then moves what is below the messages, which do not scroll.
+/// `wheelMoves`: in this frame.
+void letWheelThroughMessages(bool wheelMoves);
 /// Draws the colour scale of the temperature displays; `colours` is LookParameters::colours. `left`: width covered by
 /// panels at the left, points.
 void temperatureScale(Context& context, int colours, const TemperatureMeaning& meaning, float left);

@@ -2,6 +2,7 @@
 // clicks.
 #pragma once
 
+#include "app/ui/panels.hpp"
 #include "app/ui/widgets.hpp"
 #include "core/base/function_ref.hpp"
 
@@ -89,6 +90,17 @@ class DrawnInterface {
             setKey(key, down);
             draw(content);
         }
+    }
+
+    /// Turns the wheel by a notch towards the person, with the mouse at a place, and draws until it has had its effect.
+    void turnWheel(ImVec2 at, Content content) {
+        ImGuiIO& io = ImGui::GetIO();
+        io.MousePos = at;
+        draw(content);
+        io.MouseWheel = -1;
+        ui::letWheelThroughMessages(true);
+        for (int i = 0; i < 2; ++i)
+            draw(content);
     }
 
     ui::Context& context() { return context_; }

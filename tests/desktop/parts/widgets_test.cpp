@@ -84,6 +84,31 @@ TEST_CASE("messages wait while the person welds in a low window, where they woul
     CHECK(drawn(700, true) == drawn(700, false));
 }
 
+TEST_CASE("the wheel moves the list below a message, and a click on the message hides it") {
+    DrawnInterface interface;
+    interface.size = {1280, 400};
+    Messages messages;
+    messages.warn("A picture was saved.", 0);
+    float scrolled = 0;
+    const auto content = [&](ui::Context& context) {
+        for (int row = 0; row < 100; ++row)
+            ImGui::TextUnformatted("a row of a list that is longer than its window");
+        scrolled = ImGui::GetScrollY();
+        ui::messageStack(context, messages, 0, 0, false);
+    };
+    interface.draw(content);
+    const ImVec2 onMessage{640, ui::barHeight(interface.context()) + interface.context().points(20)};
+    interface.turnWheel(onMessage, content);
+    CHECK(scrolled > 0);
+    CHECK(messages.shown().size() == 1);
+    ImGuiIO& io = ImGui::GetIO();
+    for (const bool down : {false, true, false}) {
+        io.MouseDown[0] = down;
+        interface.draw(content);
+    }
+    CHECK(messages.shown().empty());
+}
+
 TEST_CASE("the tooltip of a control that keys have chosen lies beside the panel") {
     DrawnInterface interface;
     ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
