@@ -51,6 +51,7 @@ class Input {
     /// Reads all actions, and the poses predicted for `time`. Hands are absent while the session has no focus.
     void read(XrTime time);
     const HandInput& hand(Hand which) const { return hands_[size_t(which)]; }
+    const std::array<HandInput, 2>& hands() const { return hands_; } ///< in the order of Hand
     const std::vector<TrackerInput>& trackers() const { return trackers_; }
 
     /// Chooses each hand's hold by its next tracked poses: it may have another controller.

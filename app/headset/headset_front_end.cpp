@@ -96,7 +96,7 @@ void HeadsetFrontEnd::readHands(LessonSession& session, const Home& home, double
     xr::Headset& headset = *connection_.headset();
     const xr::Input& input = headset.input();
     placeWorkshop(session, elapsed);
-    panel_.update(input, workshop_, headset.panel().shape(), hands_.torchHand());
+    panel_.update(input.hands(), workshop_, headset.panel().shape(), hands_.torchHand(), torchWorks(session));
     followPage(session, home);
     movePanel(session, elapsed);
     holdAgain(session, input, elapsed);
@@ -155,6 +155,16 @@ bool HeadsetFrontEnd::heats(const LessonSession& session) const {
     if (session.leader() != TorchLeader::hand || !session.running()) return false;
     const bool arc = session.lesson().model == LessonModel::Weld && isArcWelding(session.lesson().process);
     return arc ? session.welds() : hands_.torch().trigger() > 0;
+}
+
+/// Returns true while the torch, as the last frame left it, is where it welds: the panel beside the work, to which the
+/// controller of an electrode holder is directed then, must not take the trigger.
+bool HeadsetFrontEnd::torchWorks(const LessonSession& session) const {
+    constexpr float kAtWork = 0.06f; // m
+    if (page_ != Page::work || session.question().asked() || session.paused()) return false;
+    if (session.leader() != TorchLeader::hand) return false;
+    const std::optional<glm::vec3> end = torchEnd(session);
+    return end && session.picture().toMetal(place_.toWorkpiece(*end)) * place_.zoom < kAtWork;
 }
 
 /// Closes the panel when an attempt's arc first burns, and moves it aside for the work.

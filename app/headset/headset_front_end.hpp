@@ -61,6 +61,7 @@ class HeadsetFrontEnd final : public WindowHeadset {
     static Page pageOf(const LessonSession& session, const Home& home);
     void followPage(const LessonSession& session, const Home& home);
     bool heats(const LessonSession& session) const;
+    bool torchWorks(const LessonSession& session) const;
     void movePanel(const LessonSession& session, double elapsed);
     void holdAgain(const LessonSession& session, const xr::Input& input, double elapsed);
     void placeWorkshop(LessonSession& session, double elapsed);

@@ -15,21 +15,25 @@ constexpr float kAsideX = 0.42f;      // m
 
 } // namespace
 
-void PanelPointer::update(const xr::Input& input, const Workshop& workshop, const xr::PanelShape& shape,
-                          xr::Hand torchHand) {
+void PanelPointer::update(Hands hands, const Workshop& workshop, const xr::PanelShape& shape, xr::Hand torchHand,
+                          bool torchWorks) {
     if (!open_) hand_ = torchHand; // the trigger in the hand that works presses first
     for (const xr::Hand hand : {xr::Hand::left, xr::Hand::right}) {
-        if (!input.hand(hand).menu) continue;
+        if (!hands[size_t(hand)].menu) continue;
         open_ = !open_;
         hand_ = hand;
     }
     pointer_ = {};
     if (!open_) return;
+    const auto points = [&](xr::Hand hand) {
+        pointer_ = {};
+        return !(torchWorks && hand == torchHand) && pointWith(hand, hands, workshop, shape);
+    };
     const xr::Hand other = hand_ == xr::Hand::left ? xr::Hand::right : xr::Hand::left;
-    if (pointWith(other, input, workshop, shape) && pointer_.pressed)
+    if (points(other) && pointer_.pressed)
         hand_ = other;
     else
-        pointWith(hand_, input, workshop, shape);
+        points(hand_);
 }
 
 void PanelPointer::move(bool aside, const std::optional<glm::vec3>& eyes, xr::Hand torchHand, double elapsed) {
@@ -67,10 +71,8 @@ std::optional<xr::Hand> PanelPointer::pointingHand() const {
     return pointer_.place ? std::optional(hand_) : std::nullopt;
 }
 
-bool PanelPointer::pointWith(xr::Hand which, const xr::Input& input, const Workshop& workshop,
-                             const xr::PanelShape& shape) {
-    pointer_ = {};
-    const xr::HandInput& hand = input.hand(which);
+bool PanelPointer::pointWith(xr::Hand which, Hands hands, const Workshop& workshop, const xr::PanelShape& shape) {
+    const xr::HandInput& hand = hands[size_t(which)];
     if (!hand.tracked) return false;
     const xr::Pose& panel = pose_;
     ray_ = workshop.toWorkshop(hand.aim);

@@ -8,6 +8,7 @@
 #include "xr/panel.hpp"
 
 #include <optional>
+#include <span>
 
 namespace meltpool {
 
@@ -15,12 +16,15 @@ class PanelPointer {
   public:
     /// Distance of the panel in front, behind the workpiece's middle, m.
     static constexpr float kBehind = 0.35f;
+    using Hands = std::span<const xr::HandInput, 2>; ///< in the order of xr::Hand
 
     explicit PanelPointer(const HeadsetParameters& parameters) : parameters_(parameters) {}
 
     /// Takes the frame's hands. The menu button of a hand opens and closes the panel, and that hand points; the other
-    /// one takes over when it pulls its trigger at the panel.
-    void update(const xr::Input& input, const Workshop& workshop, const xr::PanelShape& shape, xr::Hand torchHand);
+    /// one takes over when it pulls its trigger at the panel. `torchWorks`: the torch is at the metal, so that its hand
+    /// does not point, wherever its controller is directed.
+    void update(Hands hands, const Workshop& workshop, const xr::PanelShape& shape, xr::Hand torchHand,
+                bool torchWorks);
     /// Moves the panel towards its place, but never while a trigger is pulled at it: in front of the person, or `aside`
     /// of the workpiece, away from the torch's hand. `eyes`: their place in the workshop, empty while unknown; the
     /// panel takes its height from them when it comes in front. For the other hand it goes to the other side by way of
@@ -45,7 +49,7 @@ class PanelPointer {
     const glm::vec3& rayEnd() const { return rayEnd_; }
 
   private:
-    bool pointWith(xr::Hand which, const xr::Input& input, const Workshop& workshop, const xr::PanelShape& shape);
+    bool pointWith(xr::Hand which, Hands hands, const Workshop& workshop, const xr::PanelShape& shape);
 
     const HeadsetParameters& parameters_;
     xr::Pose pose_;

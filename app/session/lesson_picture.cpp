@@ -124,6 +124,15 @@ float LessonPicture::bottom() const {
     return (glm::dot(vertical, lowest) + scene.modelToWorld[3].y) * kClassicUnit;
 }
 
+float LessonPicture::toMetal(const glm::vec3& place) const {
+    if (shown() == nullptr) return 0.0f;
+    const SceneView scene = shown()->view();
+    const glm::vec4 world(fixture().turn * place / kClassicUnit, 1);
+    const glm::vec3 inBox = glm::inverse(scene.modelToWorld) * world;
+    const glm::vec4 nearest(glm::clamp(inBox, scene.boxMin, scene.boxMax), 1);
+    return glm::distance(world, scene.modelToWorld * nearest) * kClassicUnit;
+}
+
 DeskPicture LessonPicture::atDesk(const Controls& controls, float aspect, const glm::vec2& shift, bool surfaceLater,
                                   gl::Profiler* profiler) {
     noteSurface();

@@ -95,6 +95,9 @@ class LessonPicture {
 
     /// Height of the lowest point of the workpiece's space over its origin in the room, m, negative.
     float bottom() const;
+    /// Returns the distance of a place from the box of the metal, 0 inside and while no metal is shown; both m, the
+    /// workpiece's frame.
+    float toMetal(const glm::vec3& place) const;
     /// Fixture of the workpiece; flat without a running weld lesson.
     Fixture fixture() const;
     /// See MetalScene::addHolders(); a no-op without metal.

@@ -224,6 +224,31 @@ TEST_CASE("below the panel aside the whole notice is in the view of a person who
     }
 }
 
+TEST_CASE("the hand whose torch is at the metal does not point at the panel behind it; the other one may", "[app]") {
+    HeadsetParameters parameters;
+    PanelPointer panel(parameters);
+    panel.show();
+    panel.move(false, glm::vec3(0, parameters.tableHeight + Workshop::kDrop, Workshop::kReach), xr::Hand::right, 10);
+    const Workshop workshop;
+    std::array<xr::HandInput, 2> hands;
+    const auto aimAtPanel = [&](xr::Hand hand) {
+        xr::HandInput& pointing = hands[hand == xr::Hand::left ? 0 : 1];
+        pointing.tracked = true;
+        pointing.aim = workshop.toSession(panel.pose() * xr::Pose{{1, 0, 0, 0}, {0, 0, 0.4f}});
+    };
+    const auto pointing = [&](bool torchWorks) {
+        panel.update(hands, workshop, {}, xr::Hand::right, torchWorks);
+        return panel.pointingHand();
+    };
+    aimAtPanel(xr::Hand::right);
+    CHECK(pointing(false) == xr::Hand::right);
+    CHECK_FALSE(pointing(true));
+    aimAtPanel(xr::Hand::left);
+    hands[0].trigger = 1;
+    CHECK(pointing(true) == xr::Hand::left);
+    CHECK(panel.pointer().pressed);
+}
+
 TEST_CASE("the panel in front has letters of a degree from the welder's place", "[app]") {
     constexpr float kFontPoints = 18, kCapitals = 0.71f;
     const xr::PanelShape shape;

@@ -320,6 +320,10 @@ TEST_CASE("an upright plate is in the picture, and the torch is led in the room"
     CHECK(glm::distance(turn * glm::vec3(0, 1, 0), glm::vec3(0, 0, 1)) < 1e-6F); // its face points to the welder
     // The seam is vertical; 15 mm of it and 6 mm of supports are below the middle.
     CHECK(session.picture().bottom() == Approx(-0.021F));
+    // 5 mm of metal lie before the wall of the upright plate, and the box ends above them.
+    const glm::vec3 tip = session.run().torch().tip;
+    CHECK(session.picture().toMetal(tip) < 0.005F);
+    CHECK(session.picture().toMetal(tip + glm::vec3(0, 0.3F, 0)) == Approx(0.29F).margin(0.02F));
 }
 
 namespace {

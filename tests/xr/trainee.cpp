@@ -78,8 +78,7 @@ Trainee::Trainee() {
 }
 
 glm::vec3 Trainee::inRoom(const glm::vec3& place) const {
-    const WorkpiecePlace workpiece(tableTop, zoom, bottom, {}, stance);
-    return workpiece.toWorkshop(place) - glm::vec3(0, 0, Workshop::kReach);
+    return workpiece().toWorkshop(place) - glm::vec3(0, 0, Workshop::kReach);
 }
 
 void Trainee::lookDown() {
@@ -97,8 +96,7 @@ void Trainee::take(std::string_view process) {
 }
 
 void Trainee::aim(const glm::vec3& place, float trigger) {
-    const WorkpiecePlace workpiece(tableTop, zoom, bottom, {}, stance);
-    const xr::Pose tip{glm::quat_cast(workpiece.turn) * held, inRoom(place)};
+    const xr::Pose tip{glm::quat_cast(workpiece().turn) * held, inRoom(place)};
     const xr::Pose grip = tip * xr::Pose{torch.tipOrientation(), torch.tip()}.inverse();
     state.hands[hand].pose = grip * handGeometry().grip.inverse();
     state.hands[hand].trigger = trigger;

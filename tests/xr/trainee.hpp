@@ -33,6 +33,7 @@ struct Trainee {
     float zoom = 4;                             ///< zoom of the lesson
     float tableHeight = 1.6f - Workshop::kDrop; ///< m over the workshop's floor
     float tableTop = 1.6f - Workshop::kDrop;    ///< m, in the session's space
+    Fixture fixture = {};                       ///< of the lesson, before the person's face
     Stance stance = {};                         ///< of the lesson
     float bottom = -0.04f;                      ///< lowest place of the lesson's box in the workpiece's frame, m
     TorchGeometry torch = kPlainTorch;          ///< the lesson's torch, whose own tip counts
@@ -77,6 +78,7 @@ struct Trainee {
     RemoteHand& pointer() { return state.hands[pointingHand.value_or(hand)]; }
 
   private:
+    WorkpiecePlace workpiece() const { return {tableTop, zoom, bottom, fixture, stance}; }
     bool pullUntil(TrainerProcess& trainer, const std::function<void(float trigger)>& hold,
                    const std::function<bool(const nlohmann::json&)>& done);
 };
