@@ -1,8 +1,11 @@
 #include "app/activities/attempt_cues.hpp"
 
+#include "core/weld/workpiece/position.hpp"
+
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_access.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <cmath>
 #include <utility>
@@ -39,6 +42,14 @@ CuePose poseOf(const Trainer& trainer) {
     pose.from = bands ? bands->lengthFromMm * 1e-3 : seam.begin();
     pose.to = bands ? bands->lengthToMm * 1e-3 : seam.end();
     return pose;
+}
+
+/// Returns the top of the table on which a workpiece lies; see CueEye::table.
+std::optional<glm::vec4> tableBelow(const WorkpieceParameters& workpiece, const SceneView& scene) {
+    const Fixture fixture = fixtureOf(workpiece);
+    if (fixture.overTable > 0) return std::nullopt;
+    const glm::vec3 up = fixture.up();
+    return glm::vec4(up, glm::dot(up, glm::mix(scene.boxMax, scene.boxMin, glm::greaterThan(up, glm::vec3(0)))));
 }
 
 } // namespace
@@ -141,7 +152,10 @@ std::span<const Marker> AttemptCues::markers(const Trainer& trainer, const Scene
     const Technique& technique = *trainer.technique();
     const auto& bands = trainer.lesson().technique;
     const CueList cues = liveCues(technique, trainer.arc(), bands ? &*bands : nullptr, on_, shownSkill());
-    return shapes_.build(cues, technique.seam(), *pose_, cueEye(scene, eye), scene.blocks, scene.modelToWorld,
+    CueEye from = cueEye(scene, eye);
+    from.table = tableBelow(trainer.lesson().workpiece, scene);
+    from.hands = scene.hands;
+    return shapes_.build(cues, technique.seam(), *pose_, from, scene.blocks, scene.modelToWorld,
                          welded_ ? &*welded_ : nullptr);
 }
 

@@ -130,6 +130,7 @@ void StereoView::draw(LessonSession& session, const SceneView& lesson, const Wor
     scene.solids = scene_.build(parameters_, hands_);
     scene.tableShown = true;
     scene.fittings = scene_.fittings();
+    scene.hands = scene_.hands();
     scene.handsTracked = true;
     scene.furniture = scene_.furniture();
     scene.room.shown = lesson.room.shown && look.showSky;

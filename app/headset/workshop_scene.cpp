@@ -141,6 +141,10 @@ void WorkshopScene::furnish(const HeadsetParameters& parameters, const HandsView
     }
 }
 
+std::span<const Solid> WorkshopScene::hands() const {
+    return fittings_.empty() ? std::span(solids_).subspan(room_) : std::span(fittings_);
+}
+
 std::span<const Solid> WorkshopScene::build(const HeadsetParameters& parameters, const HandsView& hands) {
     solids_.clear();
     fittings_.clear();
@@ -148,6 +152,7 @@ std::span<const Solid> WorkshopScene::build(const HeadsetParameters& parameters,
         addRoom(parameters.tableHeight);
     else
         furnish(parameters, hands);
+    room_ = solids_.size();
     if (hands.torch && hands.laidAside) {
         if (hands.process != nullptr) addEmptyHand(hands);
     } else if (hands.torch) {

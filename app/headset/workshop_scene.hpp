@@ -48,6 +48,8 @@ class WorkshopScene {
     std::span<const Solid> build(const HeadsetParameters& parameters, const HandsView& hands);
     /// Finer solids of torch and hands of the last build(), see SceneView::fittings.
     std::span<const Solid> fittings() const { return fittings_; }
+    /// Torch and hands of the last build(), the finer ones where it made them; see SceneView::hands.
+    std::span<const Solid> hands() const;
     /// Table, machine and holders of the workpiece, of the last build() for a process; see SceneView::furniture.
     std::span<const Solid> furniture() const { return furniture_; }
 
@@ -73,6 +75,7 @@ class WorkshopScene {
              const glm::vec3& glow = glm::vec3(0.0f));
 
     std::vector<Solid> solids_;
+    size_t room_ = 0; ///< number of the first solids that are a plain room
     std::vector<Solid> fittings_;
     std::vector<Solid> furniture_;
     std::vector<Solid> torch_;

@@ -81,14 +81,16 @@ struct SceneView {
     std::span<const Solid> furniture;       ///< things in the room other than the workpiece; drawn with it only
     float tableTop = -1e9f;                 ///< world height of the table among them
     size_t holderSolids = 0;                ///< number of the last of them that hold the workpiece
-    std::span<const Marker> ghost;          ///< drawn over the rest, unless something is in front of it
-    std::span<const Marker> markers;        ///< drawn likewise, after the ghost
-    size_t rodSolids = 0;                   ///< number of the last of them that are the filler rod in the other hand
+    std::span<const Solid> hands;    ///< torch, gloves and forearms of a person whose hands are tracked, as drawn
+    std::span<const Marker> ghost;   ///< drawn over the rest, unless something is in front of it
+    std::span<const Marker> markers; ///< drawn likewise, after the ghost
+    size_t rodSolids = 0;            ///< number of the last of them that are the filler rod in the other hand
 
     /// Takes torch, hands and rod out of the picture.
     void putTorchAway() {
         solids = {};
         fittings = {};
+        hands = {};
         rodSolids = 0;
     }
 };

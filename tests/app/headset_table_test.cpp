@@ -132,6 +132,27 @@ TEST_CASE("the panel is never inside the machine, which is on the side of the to
         }
 }
 
+TEST_CASE("what hides the cues is torch and hands, not the room, with much detail and with little", "[app]") {
+    const HeadsetParameters parameters;
+    ProcessSettings process;
+    process.choose<Gmaw>();
+    for (const bool fine : {false, true}) {
+        WorkshopScene scene;
+        HandsView hands;
+        hands.process = fine ? &process : nullptr;
+        hands.torch = true;
+        hands.tip.position = {0, parameters.tableHeight + 0.1f, 0};
+        scene.build(parameters, hands);
+        INFO((fine ? "much" : "little") << " detail");
+        REQUIRE_FALSE(scene.hands().empty());
+        for (const Solid& solid : scene.hands()) {
+            const float length = glm::length(glm::vec3(solid.toWorld[2]));
+            CHECK(glm::distance(glm::vec3(solid.toWorld[3]), hands.tip.position) < 0.6f + length);
+            CHECK(glm::length(glm::vec3(solid.toWorld[0])) < 0.2f);
+        }
+    }
+}
+
 TEST_CASE("the panel and the machine change sides with the torch's hand without meeting", "[app]") {
     const HeadsetParameters parameters;
     ProcessSettings process;

@@ -1,5 +1,7 @@
 #include "core/training/feedback/cue_shapes.hpp"
 
+#include "core/render/line_of_sight.hpp"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -124,20 +126,36 @@ CueShapes::Board CueShapes::boardAt(const Stand& stand, const glm::vec3& pool, c
     return board;
 }
 
-/// How badly a board is placed: hidden by the workpiece, outside the picture, or before or behind the torch; 0: fully
-/// visible.
+bool CueShapes::behindHands(const glm::vec3& point, const CueEye& eye) const {
+    if (eye.hands.empty()) return false;
+    const glm::vec3 from = toWorld_ * glm::vec4(eye.position, 1), to = toWorld_ * glm::vec4(point, 1);
+    return std::any_of(eye.hands.begin(), eye.hands.end(),
+                       [&](const Solid& solid) { return standsBefore(solid, from, to, 0); });
+}
+
+/// True if workpiece, table or hands are between the eye and the point.
+bool CueShapes::hidden(const glm::vec3& point, const CueEye& eye, std::span<const WorkpieceBlock> blocks) const {
+    if (eye.table && glm::dot(glm::vec3(*eye.table), point) < eye.table->w) return true;
+    if (std::any_of(blocks.begin(), blocks.end(),
+                    [&](const WorkpieceBlock& block) { return hides(block, eye.position, point); }))
+        return true;
+    return behindHands(point, eye);
+}
+
+/// How badly a board is placed: hidden, outside the picture, or before or behind the torch; 0: fully visible.
 int CueShapes::badness(const Board& board, const CuePose& pose, const glm::vec3& pool, const CueEye& eye,
-                       std::span<const WorkpieceBlock> blocks) {
+                       std::span<const WorkpieceBlock> blocks) const {
     constexpr int kHidden = 4, kOutside = 2, kAtTorch = 1;
     int sum = 0;
     for (const auto& [column, row] : {std::pair(0.0F, 0.0F), {2.0F, 0.0F}, {1.0F, 1.0F}, {0.0F, 2.0F}, {2.0F, 2.0F}}) {
         const glm::vec3 point = board.field(column, row);
         if (besideTorch(pool, pose.axis, eye.position, point)) sum += kAtTorch;
         if (eye.toClip && outside(*eye.toClip * glm::vec4(point, 1))) sum += kOutside;
-        if (std::any_of(blocks.begin(), blocks.end(),
-                        [&](const WorkpieceBlock& block) { return hides(block, eye.position, point); }))
-            sum += kHidden;
+        if (hidden(point, eye, blocks)) sum += kHidden;
     }
+    // A handle is thin enough to lie between these corners.
+    for (const auto& [column, row] : {std::pair(0.5F, 0.5F), {0.5F, 1.5F}, {1.5F, 0.5F}, {1.5F, 1.5F}})
+        if (behindHands(board.field(column, row), eye)) sum += kHidden;
     return sum;
 }
 

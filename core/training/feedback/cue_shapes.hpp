@@ -42,6 +42,9 @@ struct CueEye {
     glm::vec3 up{0, 1, 0};                ///< up in the picture; need not be a unit vector, must not point along the
                                           ///< view
     std::optional<glm::mat4> toClip = {}; ///< transform from the workpiece's frame; empty: the picture has no edges
+    std::optional<glm::vec4> table = {};  ///< unit normal of the table's top and its place along it: nothing is seen
+                                          ///< below; empty: the workpiece stands over it
+    std::span<const Solid> hands = {};    ///< torch, gloves and forearms of a person whose hands are tracked; world
 };
 
 /// Name of a cue's field on the board.
@@ -57,9 +60,9 @@ struct CueLabel {
 bool coversDisc(const glm::vec3& eye, const glm::vec3& point, const glm::vec3& centre, const glm::vec3& normal,
                 float radius);
 
-/// Draws cues. The board is nearer to the eye than the pool, on the side of the travel direction; if workpiece, torch
-/// or the picture's edge is in the way, it is lower, on the other side, or nearer still. It grows with the eye's
-/// distance. Its four fields keep their places:
+/// Draws cues. The board is nearer to the eye than the pool, on the side of the travel direction; if workpiece, torch,
+/// hand, table or the picture's edge is in the way, it is lower, on the other side, or nearer still. It grows with the
+/// eye's distance. Its four fields keep their places:
 ///
 ///     distance  angles
 ///     aim       speed
@@ -107,8 +110,10 @@ class CueShapes {
     };
 
     static Board boardAt(const Stand& stand, const glm::vec3& pool, const CueEye& eye);
-    static int badness(const Board& board, const CuePose& pose, const glm::vec3& pool, const CueEye& eye,
-                       std::span<const WorkpieceBlock> blocks);
+    bool behindHands(const glm::vec3& point, const CueEye& eye) const;
+    bool hidden(const glm::vec3& point, const CueEye& eye, std::span<const WorkpieceBlock> blocks) const;
+    int badness(const Board& board, const CuePose& pose, const glm::vec3& pool, const CueEye& eye,
+                std::span<const WorkpieceBlock> blocks) const;
     Board boardFor(const CuePose& pose, const SeamFrame& frame, const glm::vec3& pool, const CueEye& eye,
                    std::span<const WorkpieceBlock> blocks);
     void addTile(const Board& board, const glm::vec3& middle, const Cue& cue, double opacity);

@@ -1,6 +1,7 @@
 // Cues as drawn shapes: never over the pool for any eye, visible next to the workpiece, with the right direction.
 #include "core/training/feedback/cue_shapes.hpp"
 
+#include "core/render/line_of_sight.hpp"
 #include "core/render/picture_target.hpp"
 #include "core/render/renderer.hpp"
 #include "core/scene/torch_model.hpp"
@@ -121,6 +122,32 @@ TEST_CASE("no marker hides a part of the pool's disc from a camera or from eithe
                     }
     }
     CHECK(drawn > 1000);
+}
+
+TEST_CASE("no corner of the board is in the table or behind the hand, seen from half a metre", "[training]") {
+    Stage stage(WorkpieceKind::Plate);
+    const float table = makeWorkpiece(stage.workpiece).floorHeight;
+    // An electrode holder ahead of the pool, whose handle goes off to the right and away from the person.
+    stage.pose.axis = glm::normalize(glm::vec3(-0.26F, -0.97F, 0));
+    const glm::vec3 neck = stage.pool - 0.06F * stage.pose.axis;
+    const std::vector<Solid> handle{
+        {.shape = SolidShape::cylinder, .toWorld = alongLine(neck, neck + glm::vec3(0.15F, 0.1F, -0.02F), 0.03F)}};
+    const auto cornersHidden = [&](bool told) {
+        CueShapes shapes;
+        CueEye eye = eyeAt(stage.pool, 0, 48, 0.54F);
+        if (told) {
+            eye.table = glm::vec4(0, 1, 0, table);
+            eye.hands = handle;
+        }
+        const auto markers = shapes.build(allCues(1), stage.seam, stage.pose, eye, stage.blocks, glm::mat4(1));
+        int count = 0;
+        for (const Marker& marker : markers.last(shapes.boardMarkers()))
+            for (const glm::vec3& point : pointsOf(marker))
+                count += point.y < table || standsBefore(handle[0], eye.position, point, 0) ? 1 : 0;
+        return count;
+    };
+    CHECK(cornersHidden(false) > 0);
+    CHECK(cornersHidden(true) == 0);
 }
 
 TEST_CASE("the test of covering tells what lies between the eye and the disc", "[training]") {
