@@ -145,6 +145,7 @@ void HeadsetFrontEnd::followPage(const LessonSession& session, const Home& home)
     case Page::result:
         if (!judged && before == Page::result) break;
         openedByResult_ |= !panel_.open();
+        resultSeen_ = false;
         panel_.show();
         break;
     }
@@ -175,7 +176,11 @@ void HeadsetFrontEnd::movePanel(const LessonSession& session, double elapsed) {
         panel_.hide();
     }
     std::optional<glm::vec3> eyes;
-    if (drawn_) eyes = workshop_.toWorkshop(head()).position;
+    if (drawn_) {
+        const xr::Pose here = workshop_.toWorkshop(head());
+        eyes = here.position;
+        resultSeen_ |= page_ == Page::result && faces(here, panel_.pose().position);
+    }
     panel_.move(works, eyes, hands_.torchHand(), elapsed);
 }
 
@@ -292,6 +297,8 @@ xr::Pose HeadsetFrontEnd::head() const {
 /// Leads the eyes to the work until the attempt's arc has burned: the panel, at eye height, was the last thing they
 /// saw.
 std::string_view HeadsetFrontEnd::wayToWork(const LessonSession& session) const {
+    if (drawn_ && page_ == Page::result && panel_.open() && !resultSeen_)
+        return phrase("headset.notice.look_at_result");
     if (!drawn_ || arcBurned_ || page_ != Page::work || session.leader() != TorchLeader::hand) return {};
     return meltpool::wayToWork(workshop_.toWorkshop(head()), place_.toWorkshop(glm::vec3(0)));
 }
@@ -308,7 +315,7 @@ void HeadsetFrontEnd::drawNotice(const LessonSession& session, const LessonFigur
                                  double elapsed) {
     const std::string_view way = again_.holds() ? std::string_view() : wayToWork(session);
     const std::array<std::string_view, 2> lines{way, phrase("headset.notice.visor")};
-    const size_t told = way.empty() ? 0 : view_.visorDown(session) ? 2 : 1;
+    const size_t told = way.empty() ? 0 : page_ == Page::work && view_.visorDown(session) ? 2 : 1;
     notice_.text.compose(messages, figures, place_.zoom, way.empty() ? quietSentence(session) : std::string_view(),
                          std::span(lines).first(told));
     if (!drawn_ || notice_.text.text().empty()) return;

@@ -70,6 +70,7 @@ class HeadsetFrontEnd final : public WindowHeadset {
     void drawEyes(LessonSession& session, double elapsed, gl::Profiler* profiler);
     void recordPerson(LessonSession& session);
     std::string_view quietSentence(const LessonSession& session) const;
+    /// Sentence for eyes that look away from the work, or from a result; empty where they look there.
     std::string_view wayToWork(const LessonSession& session) const;
     std::optional<glm::vec3> torchEnd(const LessonSession& session) const;
     void drawNotice(const LessonSession& session, const LessonFigures& figures, const Messages& messages,
@@ -99,6 +100,7 @@ class HeadsetFrontEnd final : public WindowHeadset {
     int focusedOpening_ = 0;      ///< opening in which the runtime first gave the trainer its input
     size_t judgements_ = 0;       ///< judgements for which the panel has opened
     bool openedByResult_ = false; ///< a result opened the panel
+    bool resultSeen_ = false;     ///< the person has faced the panel since the judgement
     bool arcBurned_ = false;      ///< the arc has burned in this attempt
     Page page_ = Page::none;      ///< page of the last frame
     bool drawn_ = false;          ///< the eyes hold a picture that the runtime shows

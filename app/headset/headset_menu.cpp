@@ -3,6 +3,7 @@
 #include "core/base/words.hpp"
 
 #include <array>
+#include <utility>
 
 namespace meltpool {
 
@@ -65,7 +66,10 @@ HeadsetMenuAnswer HeadsetMenu::draw(const xr::Panel& panel, const PointerOnPanel
     if (panel_ == nullptr)
         panel_ = std::make_unique<HeadsetPanel>(panel.shape().widthPixels, panel.shape().heightPixels);
     answer_ = {};
+    const Shown now{content.home.open, session.running(), session.attempt().judgements()};
+    const bool another = std::exchange(shown_, now) != now;
     panel_->draw(panel.framebuffer(), pointer, elapsed, [&](ui::Context& context) {
+        if (another) ImGui::SetScrollY(0);
         if (content.home.open) return homePart(context, session, content);
         lessonPart(context, session, content);
         pagePart(context, session, content);

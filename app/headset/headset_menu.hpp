@@ -52,7 +52,15 @@ class HeadsetMenu {
     void headsetPage(ui::Context& context, const HeadsetMenuContent& content);
     void pagePart(ui::Context& context, LessonSession& session, const HeadsetMenuContent& content);
 
+    /// Content of the panel: another one is shown from its top.
+    struct Shown {
+        bool home = false, running = false;
+        size_t judgements = 0;
+        bool operator==(const Shown&) const = default;
+    };
+
     std::unique_ptr<HeadsetPanel> panel_; ///< made at the first draw
+    Shown shown_;
     HeadsetMenuAnswer answer_;
     int page_ = 0;
     bool lessonSeen_ = false; ///< a lesson's page has been drawn

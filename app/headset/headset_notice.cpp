@@ -88,10 +88,14 @@ void NoticeText::compose(const Messages& messages, const LessonFigures& figures,
     addLine(line);
 }
 
-std::string_view wayToWork(const xr::Pose& head, const glm::vec3& work) {
+bool faces(const xr::Pose& head, const glm::vec3& place) {
     constexpr float kSeesIt = 0.82f; // cosine of 35 degrees
+    return glm::dot(glm::normalize(place - head.position), head.forward()) > kSeesIt;
+}
+
+std::string_view wayToWork(const xr::Pose& head, const glm::vec3& work) {
+    if (faces(head, work)) return {};
     const glm::vec3 way = work - head.position;
-    if (glm::dot(glm::normalize(way), head.forward()) > kSeesIt) return {};
     const float rise = way.y / glm::length(way);
     if (rise < -0.3f) return phrase("headset.notice.look_down");
     return phrase(rise > 0.3f ? "headset.notice.look_up" : "headset.notice.look_ahead");

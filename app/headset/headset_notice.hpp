@@ -39,6 +39,8 @@ class NoticeText {
 
 /// Sentence that leads the eyes to the work at this place of the workshop; empty if they look at it, to 35 degrees.
 std::string_view wayToWork(const xr::Pose& head, const glm::vec3& work);
+/// Returns true if the head is directed at a place, to 35 degrees.
+bool faces(const xr::Pose& head, const glm::vec3& place);
 
 /// Places the notice in the workshop: above the torch's end if the person looks there, else before their eyes; without
 /// a warning or a caption on the table. It follows with a delay, so that a trembling hand does not blur it. Its width

@@ -123,7 +123,10 @@ void StereoView::draw(LessonSession& session, const SceneView& lesson, const Wor
     hands_.toolsToWorkshop = place.modelToWorkshop(kClassicUnit);
     LookParameters look = session.picture().look();
     const bool fine = has(look, DetailFeature::room) && lesson.room.shown; // only weld lessons have a room
-    if (fine) furnish(session, lesson, place);
+    if (fine)
+        furnish(session, lesson, place);
+    else if (session.lesson().model == LessonModel::Weld)
+        hands_.plainly = &session.lesson().process;
     const xr::Pose head = workshop.toWorkshop(xr::interpolate(eyes.views[0].pose, eyes.views[1].pose, 0.5f));
     hands_.holder.forearm = forearmFrom(head, hands_.holder);
     if (hands_.rod) hands_.rod->forearm = forearmFrom(head, *hands_.rod);

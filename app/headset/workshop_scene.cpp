@@ -85,14 +85,16 @@ void WorkshopScene::addGlow(const HandsView& hands) {
 }
 
 /// Adds the process's own torch, whose handle runs through the hand, for any calibration near its own tip.
-void WorkshopScene::addProcessTorch(const HeadsetParameters& parameters, const HandsView& hands) {
+void WorkshopScene::addProcessTorch(const HeadsetParameters& parameters, const HandsView& hands,
+                                    const ProcessSettings& process) {
     TorchSample sample;
     sample.tip = hands.tip.position;
     sample.orientation = hands.tip.orientation;
     ArcState arc; // out: the light is at the tip, in real size, for any zoom of the workpiece
     arc.extension = hands.extension;
-    buildTorchModel(torch_, sample, *hands.process, arc, glm::mat4(1.0f));
+    buildTorchModel(torch_, sample, process, arc, glm::mat4(1.0f));
     solids_.insert(solids_.end(), torch_.begin(), torch_.end());
+    if (hands.process == nullptr) return;
     TorchSurroundings around;
     around.hand = hands.holder.tracked();
     around.cableEnd = cableEnd(parameters, hands.holder.right);
@@ -156,10 +158,11 @@ std::span<const Solid> WorkshopScene::build(const HeadsetParameters& parameters,
     if (hands.torch && hands.laidAside) {
         if (hands.process != nullptr) addEmptyHand(hands);
     } else if (hands.torch) {
-        if (hands.process == nullptr)
+        const ProcessSettings* const process = hands.process != nullptr ? hands.process : hands.plainly;
+        if (process == nullptr)
             addTorch(hands);
         else
-            addProcessTorch(parameters, hands);
+            addProcessTorch(parameters, hands, *process);
         addGlow(hands);
     }
     if (hands.rod && hands.process != nullptr) addRodHand(hands);

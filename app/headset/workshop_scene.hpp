@@ -24,8 +24,10 @@ struct HandsView {
     glm::vec3 rayEnd{0.0f};
     std::span<const Solid> tools;    ///< the demonstration's torch, or the filler rod, in the lesson's world
     glm::mat4 toolsToWorkshop{1.0f}; ///< transform from the lesson's world
-    /// Process of the torch in the hand; null: a plain torch, on a plain table.
+    /// Process of the torch in the hand, drawn with hands and fittings in a furnished workshop; null: see plainly.
     const ProcessSettings* process = nullptr;
+    /// Process of a torch that is drawn without fittings, on a plain table; null: a plain torch.
+    const ProcessSettings* plainly = nullptr;
     float extension = 0;                 ///< m, of the wire or electrode, see ArcState; 0: the set length
     float burnt = 0;                     ///< m of the electrode that have burnt off before `tip`
     std::optional<HandPose> rod;         ///< hand that holds the filler rod
@@ -63,7 +65,7 @@ class WorkshopScene {
         bool operator==(const FurnitureKey&) const = default;
     };
 
-    void addProcessTorch(const HeadsetParameters& parameters, const HandsView& hands);
+    void addProcessTorch(const HeadsetParameters& parameters, const HandsView& hands, const ProcessSettings& process);
     void addDemonstratedTorch(const HeadsetParameters& parameters, const HandsView& hands);
     void addGlow(const HandsView& hands);
     void furnish(const HeadsetParameters& parameters, const HandsView& hands);

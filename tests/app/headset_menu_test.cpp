@@ -39,6 +39,11 @@ class PanelPage {
                             {home_, section_, {}, {}, false, figures_, false, false, nullptr});
         return shown.menu.places();
     }
+    /// Turns the stick by so many lines, up is positive.
+    void scroll(ShownPanel& shown, float lines) {
+        shown.menu.draw(shown.panel, {glm::vec2(450, 550), false, lines}, 1.0 / 60, session,
+                        {home_, section_, {}, {}, false, figures_, false, false, nullptr});
+    }
     /// Checks that the page's buttons are as wide on the headset's panel as on the wide one, and inside it.
     void checkButtons() {
         const auto narrow = draw(usual), roomy = draw(wide_);
@@ -103,6 +108,18 @@ TEST_CASE("a result's score is above its buttons, there is one Home, and no butt
                         [](const auto& place) { return place.first.ends_with(".home"); }) == 1);
     CHECK_FALSE(places.contains("headset.reset")); // the result has its own
     page.checkButtons();
+}
+
+TEST_CASE("a result is shown from its top, wherever the page before it was scrolled to", "[app]") {
+    PanelPage page;
+    page.session.begin(page.controls);
+    page.draw(page.usual);
+    page.scroll(page.usual, -20);
+    const auto before = page.draw(page.usual);
+    CHECK_FALSE(before.contains("headset.restart")); // scrolled out of sight
+    page.weld();
+    const auto result = page.draw(page.usual);
+    CHECK(result.contains("headset.restart"));
 }
 
 TEST_CASE("the page of the machine has gas and a maker's chart, before the lesson and in it", "[app]") {

@@ -138,6 +138,15 @@ TEST_CASE("eyes that look away are led to the work, below, above or ahead") {
     CHECK_THAT(told(0, {0.6f, 1.6f, 0.3f}), test::containsText("Turn to the work"));
 }
 
+TEST_CASE("a head over the weld does not face the panel behind it; one that is raised does") {
+    const auto head = [](float pitch) {
+        return xr::Pose{glm::angleAxis(pitch, glm::vec3(1, 0, 0)), {0, 1.4f, Workshop::kReach}};
+    };
+    const glm::vec3 panel(0, 1.4f, -PanelPointer::kBehind);
+    CHECK_FALSE(faces(head(-0.8f), panel));
+    CHECK(faces(head(-0.3f), panel));
+}
+
 TEST_CASE("the notice hangs above the torch where the person looks there, else before their eyes", "[app]") {
     NoticePlace place;
     const xr::Pose head{glm::angleAxis(-0.7f, glm::vec3(1, 0, 0)), {0, 1.4f, 0.45f}};

@@ -117,6 +117,7 @@ TEST_CASE("pictures of both eyes at work, in each process, from three persons' h
     trainee.state.head.position = {0, person.eyes - 0.05F, -0.03F};
     trainee.state.head.orientation = glm::angleAxis(-0.8F, glm::vec3(1, 0, 0));
     follow(trainee, trainer, lesson.torch, std::max(0.0, strike - 0.5), strike);
+    keepPicture(screenshot(), "sight-" + run + "-before.png");
     double from = strike;
     if (traitsOf(lesson.process).torch == TorchShape::electrodeHolder) {
         constexpr double kLifted = 0.25; // s after the pull
