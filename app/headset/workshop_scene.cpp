@@ -67,14 +67,18 @@ void WorkshopScene::addTorch(const HandsView& hands) {
     const auto along = [&](float z) { return tip * glm::vec3(0, 0, z + hands.burnt); };
     add(SolidShape::cone, alongLine(along(0.012f), along(0.0f), 0.006f), kTorchCopper, 0.7f);
     add(SolidShape::cylinder, alongLine(along(0.05f), along(0.012f), 0.016f), kBrass, 0.6f);
-    const glm::vec3 neck = along(kPlainTorch.neck);
-    add(SolidShape::cylinder, alongLine(neck, along(0.045f), 0.013f), kDarkSteel, 0.4f);
+    add(SolidShape::cylinder, alongLine(along(kPlainTorch.neck), along(0.045f), 0.013f), kDarkSteel, 0.4f);
+    addHandle(hands, kPlainTorch);
+}
+
+/// Adds a handle that runs from the neck through the hand, for any calibration.
+void WorkshopScene::addHandle(const HandsView& hands, const TorchGeometry& torch) {
+    const glm::vec3 neck = hands.tip * glm::vec3(0, 0, torch.neck + hands.burnt);
     add(SolidShape::sphere, boxAt(neck, glm::vec3(0.016f)), kDarkSteel, 0.4f);
-    // The handle runs from the neck through the hand, for any calibration.
     const glm::vec3 hand = hands.holder.hold.position;
     const glm::vec3 way =
-        glm::length(hand - neck) > 0.01f ? glm::normalize(hand - neck) : tip.orientation * glm::vec3(0, 0, 1);
-    add(SolidShape::cylinder, alongLine(hand + way * 0.07f, neck, kPlainTorch.handleWidth), kRubber, 0.25f);
+        glm::length(hand - neck) > 0.01f ? glm::normalize(hand - neck) : hands.tip.orientation * glm::vec3(0, 0, 1);
+    add(SolidShape::cylinder, alongLine(hand + way * 0.07f, neck, torch.handleWidth), kRubber, 0.25f);
     add(SolidShape::cylinder, alongLine(neck + way * 0.035f, neck + way * 0.02f, 0.029f), kSafetyRed, 0.4f);
 }
 
@@ -94,7 +98,12 @@ void WorkshopScene::addProcessTorch(const HeadsetParameters& parameters, const H
     arc.extension = hands.extension;
     buildTorchModel(torch_, sample, process, arc, glm::mat4(1.0f));
     solids_.insert(solids_.end(), torch_.begin(), torch_.end());
-    if (hands.process == nullptr) return;
+    if (hands.process == nullptr) {
+        const TorchGeometry geometry = torchGeometry(process);
+        const bool straight = geometry.bend == 0 || equipmentOf(process).electrodeLength > 0; // has its handle
+        if (!straight) addHandle(hands, geometry);
+        return;
+    }
     TorchSurroundings around;
     around.hand = hands.holder.tracked();
     around.cableEnd = cableEnd(parameters, hands.holder.right);

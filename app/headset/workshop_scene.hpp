@@ -3,6 +3,7 @@
 
 #include "app/headset/tracked_torch.hpp"
 #include "core/render/solids.hpp"
+#include "core/scene/torch_geometry.hpp"
 #include "core/scene/workshop_furniture.hpp"
 #include "core/weld/process/processes.hpp"
 
@@ -71,6 +72,7 @@ class WorkshopScene {
     void furnish(const HeadsetParameters& parameters, const HandsView& hands);
     void addRoom(float tableHeight);
     void addTorch(const HandsView& hands);
+    void addHandle(const HandsView& hands, const TorchGeometry& torch);
     void addEmptyHand(const HandsView& hands);
     void addRodHand(const HandsView& hands);
     void add(SolidShape shape, const glm::mat4& toWorld, const glm::vec3& colour, float gloss,
