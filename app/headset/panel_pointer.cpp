@@ -21,13 +21,14 @@ void PanelPointer::update(Hands hands, const Workshop& workshop, const xr::Panel
     for (const xr::Hand hand : {xr::Hand::left, xr::Hand::right}) {
         if (!hands[size_t(hand)].menu) continue;
         open_ = !open_;
+        called_ = hand == torchHand;
         hand_ = hand;
     }
     pointer_ = {};
     if (!open_) return;
     const auto points = [&](xr::Hand hand) {
         pointer_ = {};
-        return !(torchWorks && hand == torchHand) && pointWith(hand, hands, workshop, shape);
+        return !(torchWorks && !called_ && hand == torchHand) && pointWith(hand, hands, workshop, shape);
     };
     const xr::Hand other = hand_ == xr::Hand::left ? xr::Hand::right : xr::Hand::left;
     if (points(other) && pointer_.pressed)

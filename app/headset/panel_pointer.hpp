@@ -22,7 +22,7 @@ class PanelPointer {
 
     /// Takes the frame's hands. The menu button of a hand opens and closes the panel, and that hand points; the other
     /// one takes over when it pulls its trigger at the panel. `torchWorks`: the torch is at the metal, so that its hand
-    /// does not point, wherever its controller is directed.
+    /// does not point, wherever its controller is directed, unless it opened the panel itself.
     void update(Hands hands, const Workshop& workshop, const xr::PanelShape& shape, xr::Hand torchHand,
                 bool torchWorks);
     /// Moves the panel towards its place, but never while a trigger is pulled at it: in front of the person, or `aside`
@@ -35,7 +35,10 @@ class PanelPointer {
 
     bool open() const { return open_; }
     /// Opens the panel because something on it must be answered or read.
-    void show() { open_ = true; }
+    void show() {
+        if (!open_) called_ = false;
+        open_ = true;
+    }
     void hide() { open_ = false; }
     /// Pose of the panel in the workshop.
     const xr::Pose& pose() const { return pose_; }
@@ -60,6 +63,7 @@ class PanelPointer {
     bool heightKnown_ = false;
     xr::Hand hand_ = xr::Hand::right; ///< hand that opened the panel, or last pulled its trigger at it
     bool open_ = false;
+    bool called_ = false; ///< the torch's hand opened the panel by its button
     PointerOnPanel pointer_;
     xr::Pose ray_; ///< ray of the pointing hand, in the workshop
     glm::vec3 rayEnd_{0.0f};

@@ -134,7 +134,6 @@ void StereoView::draw(LessonSession& session, const SceneView& lesson, const Wor
     scene.tableShown = true;
     scene.fittings = scene_.fittings();
     scene.hands = scene_.hands();
-    scene.handsTracked = true;
     scene.furniture = scene_.furniture();
     scene.room.shown = lesson.room.shown && look.showSky;
     scene.room.toWorld = glm::translate(glm::mat4(1.0f), {0, -float(WORKSHOP_FLOOR), 0});

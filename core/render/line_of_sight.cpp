@@ -79,7 +79,7 @@ float seenPast(const Solid& solid, const glm::vec3& eye, const glm::vec3& light,
 }
 
 float arcPastHands(const SceneView& scene, const glm::vec3& eye) {
-    if (!scene.handsTracked || scene.arc.intensity.g <= 0) return 1;
+    if (scene.hands.empty() || scene.arc.intensity.g <= 0) return 1;
     const glm::vec3 arc = scene.modelToWorld * glm::vec4(scene.arc.position, 1);
     const float radius = scene.arc.radius * glm::length(glm::vec3(scene.modelToWorld[0]));
     float share = 1;

@@ -285,7 +285,7 @@ void Renderer::Parts::gatherSolids(const SceneView& scene, const LookParameters&
         mark.toWorld = scene.modelToWorld * mark.toWorld;
         solids.gather({&mark, 1});
     }
-    const DetailFeature shows = scene.handsTracked ? DetailFeature::room : DetailFeature::fittings;
+    const DetailFeature shows = scene.hands.empty() ? DetailFeature::fittings : DetailFeature::room;
     const bool fine = has(look, shows) && !scene.fittings.empty();
     solids.gather(scene.solids, false, !fine);
     if (fine) gatherFittings(scene, views);

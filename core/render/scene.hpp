@@ -76,12 +76,12 @@ struct SceneView {
     std::span<const Solid> chalk;           ///< marks on the workpiece, placed in model units
     std::span<const Solid> solids;          ///< torch, table, clamps
     std::span<const Solid> fittings;        ///< finer solids of torch and hands, for high detail
-    bool handsTracked = false;              ///< a person's own hands are among them: medium detail shows them too
     WorkshopView room;                      ///< for detail that is not low; else, and from outside of it, the sky
     std::span<const Solid> furniture;       ///< things in the room other than the workpiece; drawn with it only
     float tableTop = -1e9f;                 ///< world height of the table among them
     size_t holderSolids = 0;                ///< number of the last of them that hold the workpiece
-    std::span<const Solid> hands;    ///< torch, gloves and forearms of a person whose hands are tracked, as drawn
+    /// Torch, gloves and forearms of a person whose hands are tracked, as drawn: medium detail shows them, too.
+    std::span<const Solid> hands;
     std::span<const Marker> ghost;   ///< drawn over the rest, unless something is in front of it
     std::span<const Marker> markers; ///< drawn likewise, after the ghost
     size_t rodSolids = 0;            ///< number of the last of them that are the filler rod in the other hand

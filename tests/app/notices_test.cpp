@@ -256,6 +256,14 @@ TEST_CASE("the hand whose torch is at the metal does not point at the panel behi
     hands[0].trigger = 1;
     CHECK(pointing(true) == xr::Hand::left);
     CHECK(panel.pointer().pressed);
+    // A hand that closes the panel and opens it again by its button wants to point.
+    hands[0] = {};
+    for (int press = 0; press < 2; ++press) {
+        hands[1].menu = true;
+        pointing(true);
+    }
+    hands[1].menu = false;
+    CHECK(pointing(true) == xr::Hand::right);
 }
 
 TEST_CASE("the panel in front has letters of a degree from the welder's place", "[app]") {

@@ -90,7 +90,7 @@ TEST_CASE("the arc is hidden from the eye whose line of sight the arm crosses, w
     const std::array<Solid, 2> arms{armAcross(0.3f, 0.3f), armAcross(0, 0.3f)};
     scene.fittings = arms;
     CHECK(arcPastHands(scene, kEye) == 1); // a free camera
-    scene.handsTracked = true;
+    scene.hands = arms;
     CHECK(arcPastHands(scene, kEye) == 0);
     CHECK(arcPastHands(scene, {0, 0.3f, 0.5f}) == 1); // between both arms
     scene.fittings = std::span(arms).first(1);

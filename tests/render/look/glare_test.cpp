@@ -22,8 +22,7 @@ double lightBeside(Renderer& renderer, double angle, double intensity, LookParam
     scene.modelToWorld = glm::scale(glm::mat4(1), glm::vec3(scale));
     scene.arc = {{0, 0, 0}, glm::vec3(float(intensity)), 1e-3f};
     scene.solids = solids;
-    scene.fittings = hands;
-    scene.handsTracked = !hands.empty();
+    scene.fittings = scene.hands = hands;
     const double rad = angle * std::numbers::pi / 180;
     const glm::vec3 eye(0, 0, float(far) * scale);
     const glm::vec3 target = eye + scale * glm::vec3(float(std::sin(rad)), 0, float(-std::cos(rad)));
