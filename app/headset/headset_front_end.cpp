@@ -161,7 +161,8 @@ bool HeadsetFrontEnd::heats(const LessonSession& session) const {
 /// Returns true while the torch, as the last frame left it, is where it welds: the panel beside the work, to which the
 /// controller of an electrode holder is directed then, must not take the trigger.
 bool HeadsetFrontEnd::torchWorks(const LessonSession& session) const {
-    constexpr float kAtWork = 0.06f; // m
+    constexpr float kAtWork = 0.04f;                               // m
+    if (session.lesson().model != LessonModel::Weld) return false; // its box is large, and no torch is held so
     if (page_ != Page::work || session.question().asked() || session.paused()) return false;
     if (session.leader() != TorchLeader::hand) return false;
     const std::optional<glm::vec3> end = torchEnd(session);
