@@ -64,7 +64,7 @@ class HeadsetMenu {
     HeadsetMenuAnswer answer_;
     int page_ = 0;
     bool lessonSeen_ = false; ///< a lesson's page has been drawn
-    size_t judgements_ = 0; ///< number of judgements shown
+    size_t judgements_ = 0;   ///< number of judgements shown
 };
 
 } // namespace meltpool

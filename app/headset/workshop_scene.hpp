@@ -29,9 +29,9 @@ struct HandsView {
     const ProcessSettings* process = nullptr;
     /// Process of a torch that is drawn without fittings, on a plain table; null: a plain torch.
     const ProcessSettings* plainly = nullptr;
-    float extension = 0;                 ///< m, of the wire or electrode, see ArcState; 0: the set length
-    float burnt = 0;                     ///< m of the electrode that have burnt off before `tip`
-    std::optional<HandPose> rod;         ///< hand that holds the filler rod
+    float extension = 0;         ///< m, of the wire or electrode, see ArcState; 0: the set length
+    float burnt = 0;             ///< m of the electrode that have burnt off before `tip`
+    std::optional<HandPose> rod; ///< hand that holds the filler rod
     /// Torch of a demonstration or replay, in the workpiece's frame; null: the hand's own, or hidden by a cut.
     const TorchSample* demonstrated = nullptr;
     glm::mat4 workpieceToWorkshop{1.0f}; ///< transform of its frame
