@@ -295,13 +295,13 @@ xr::Pose HeadsetFrontEnd::head() const {
     return middleOf(connection_.headset()->views());
 }
 
-/// Leads the eyes to the work until the attempt's arc has burned: the panel, at eye height, was the last thing they
-/// saw.
-std::string_view HeadsetFrontEnd::wayToWork(const LessonSession& session) const {
+/// Leads the eyes to a result until they have seen it, and to the work until the attempt's arc has burned: the panel,
+/// at eye height, was the last thing they saw.
+std::string_view HeadsetFrontEnd::whereToLook(const LessonSession& session) const {
     if (drawn_ && page_ == Page::result && panel_.open() && !resultSeen_)
         return phrase("headset.notice.look_at_result");
     if (!drawn_ || arcBurned_ || page_ != Page::work || session.leader() != TorchLeader::hand) return {};
-    return meltpool::wayToWork(workshop_.toWorkshop(head()), place_.toWorkshop(glm::vec3(0)));
+    return wayToWork(workshop_.toWorkshop(head()), place_.toWorkshop(glm::vec3(0)));
 }
 
 /// Place at which the torch works, in the workshop: that of a demonstration or replay, or the one in the hand; empty
@@ -314,7 +314,7 @@ std::optional<glm::vec3> HeadsetFrontEnd::torchEnd(const LessonSession& session)
 
 void HeadsetFrontEnd::drawNotice(const LessonSession& session, const LessonFigures& figures, const Messages& messages,
                                  double elapsed) {
-    const std::string_view way = again_.holds() ? std::string_view() : wayToWork(session);
+    const std::string_view way = again_.holds() ? std::string_view() : whereToLook(session);
     const std::array<std::string_view, 2> lines{way, phrase("headset.notice.visor")};
     const size_t told = way.empty() ? 0 : page_ == Page::work && view_.visorDown(session) ? 2 : 1;
     notice_.text.compose(messages, figures, place_.zoom, way.empty() ? quietSentence(session) : std::string_view(),

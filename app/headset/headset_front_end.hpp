@@ -71,7 +71,7 @@ class HeadsetFrontEnd final : public WindowHeadset {
     void recordPerson(LessonSession& session);
     std::string_view quietSentence(const LessonSession& session) const;
     /// Sentence for eyes that look away from the work, or from a result; empty where they look there.
-    std::string_view wayToWork(const LessonSession& session) const;
+    std::string_view whereToLook(const LessonSession& session) const;
     std::optional<glm::vec3> torchEnd(const LessonSession& session) const;
     void drawNotice(const LessonSession& session, const LessonFigures& figures, const Messages& messages,
                     double elapsed);

@@ -67,6 +67,7 @@ HeadsetMenuAnswer HeadsetMenu::draw(const xr::Panel& panel, const PointerOnPanel
         panel_ = std::make_unique<HeadsetPanel>(panel.shape().widthPixels, panel.shape().heightPixels);
     answer_ = {};
     const Shown now{content.home.open, session.running(), session.attempt().judgements()};
+    judgedAnew_ = judgedAnew_ || now.judgements != shown_.judgements;
     const bool another = std::exchange(shown_, now) != now;
     panel_->draw(panel.framebuffer(), pointer, elapsed, [&](ui::Context& context) {
         if (another) ImGui::SetScrollY(0);
@@ -174,9 +175,7 @@ void HeadsetMenu::pagePart(ui::Context& context, LessonSession& session, const H
     ImGui::Dummy({0, context.points(4)});
     static constexpr std::array<std::string_view, 4> kPages{"machine", "view", "headset", "result"};
     const bool judges = session.judges();
-    if (session.attempt().judgements() != judgements_ || (page_ == kResult && !judges))
-        page_ = judges ? kResult : kMachine;
-    judgements_ = session.attempt().judgements();
+    if (std::exchange(judgedAnew_, false) || (page_ == kResult && !judges)) page_ = judges ? kResult : kMachine;
     ui::choiceRow(context, "headset.page", std::span(kPages).first(judges ? 4 : 3), page_);
     if (page_ == kHeadset) headsetPage(context, content);
     if (page_ == kResult)

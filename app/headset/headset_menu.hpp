@@ -64,7 +64,7 @@ class HeadsetMenu {
     HeadsetMenuAnswer answer_;
     int page_ = 0;
     bool lessonSeen_ = false; ///< a lesson's page has been drawn
-    size_t judgements_ = 0;   ///< number of judgements shown
+    bool judgedAnew_ = false; ///< the number of judgements has changed since the pages were last drawn
 };
 
 } // namespace meltpool

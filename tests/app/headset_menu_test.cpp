@@ -35,15 +35,11 @@ class PanelPage {
     std::map<std::string, ui::Place> draw(ShownPanel& shown, std::optional<glm::vec2> pointer = {},
                                           double elapsed = 1.0 / 60) {
         for (int frame = 0; frame < 4; ++frame)
-            shown.menu.draw(shown.panel, {pointer}, elapsed, session,
-                            {home_, section_, {}, {}, false, figures_, false, false, nullptr});
+            drawOnce(shown, {pointer}, elapsed);
         return shown.menu.places();
     }
     /// Turns the stick by so many lines, up is positive.
-    void scroll(ShownPanel& shown, float lines) {
-        shown.menu.draw(shown.panel, {glm::vec2(450, 550), false, lines}, 1.0 / 60, session,
-                        {home_, section_, {}, {}, false, figures_, false, false, nullptr});
-    }
+    void scroll(ShownPanel& shown, float lines) { drawOnce(shown, {glm::vec2(450, 550), false, lines}, 1.0 / 60); }
     /// Checks that the page's buttons are as wide on the headset's panel as on the wide one, and inside it.
     void checkButtons() {
         const auto narrow = draw(usual), roomy = draw(wide_);
@@ -73,6 +69,11 @@ class PanelPage {
     }
 
   private:
+    void drawOnce(ShownPanel& shown, const PointerOnPanel& pointer, double elapsed) {
+        shown.menu.draw(shown.panel, pointer, elapsed, session,
+                        {home_, section_, {}, {}, false, figures_, false, false, nullptr});
+    }
+
     ShownPanel wide_{{3000, 1100, 2}};
     HeadsetParameters parameters_;
     ParameterSection section_{"headset", describe(parameters_)};

@@ -1,10 +1,10 @@
 #include "core/training/feedback/arc_appearance.hpp"
 
 #include "core/scene/torch_model.hpp"
+#include "core/weld/workpiece/position.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
-#include <glm/vector_relational.hpp>
 
 namespace meltpool {
 
@@ -12,9 +12,7 @@ void ArcAppearance::open(const SceneView& metal) {
     SpatterGround ground;
     ground.blocks = metal.blocks;
     ground.up = glm::normalize(glm::transpose(glm::mat3(metal.modelToWorld)) * glm::vec3(0, 1, 0));
-    // The table is at the lower end of the particles' box along each axis.
-    const glm::vec3 lowest = glm::mix(metal.boxMax, metal.boxMin, glm::greaterThan(ground.up, glm::vec3(0)));
-    ground.table = glm::dot(ground.up, lowest);
+    ground.table = lowestAlong(ground.up, metal.boxMin, metal.boxMax);
     effects_.setGround(ground);
 }
 

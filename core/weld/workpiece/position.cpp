@@ -1,6 +1,8 @@
 #include "core/weld/workpiece/position.hpp"
 
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <array>
@@ -71,6 +73,11 @@ Fixture fixtureOf(const WorkpieceParameters& parameters) {
         break;
     }
     return {};
+}
+
+// Along any direction each axis of the box has its lower end.
+float lowestAlong(const glm::vec3& up, const glm::vec3& low, const glm::vec3& high) {
+    return glm::dot(up, glm::mix(high, low, glm::greaterThan(up, glm::vec3(0))));
 }
 
 bool positionFits(WorkpieceKind kind, WeldPosition position) {

@@ -36,6 +36,9 @@ struct Fixture {
 /// the left overhead.
 Fixture fixtureOf(const WorkpieceParameters& parameters);
 
+/// Returns how far a box with these corners reaches against `up`: the least coordinate along it, in the corners' unit.
+float lowestAlong(const glm::vec3& up, const glm::vec3& low, const glm::vec3& high);
+
 /// Returns true if a workpiece of this kind can be held so.
 bool positionFits(WorkpieceKind kind, WeldPosition position);
 

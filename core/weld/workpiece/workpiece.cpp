@@ -7,7 +7,6 @@
 #include "core/weld/workpiece/workpiece_shape.hpp"
 
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
 #include <algorithm>
@@ -225,7 +224,7 @@ Workpiece makeWorkpiece(const WorkpieceParameters& parameters) {
     piece.high = piece.lattice.low + glm::vec3(piece.lattice.cells()) * piece.lattice.spacing;
     piece.turn = fixture.turn;
     piece.up = fixture.up();
-    piece.floorHeight = glm::dot(piece.up, glm::mix(piece.high, piece.low, glm::greaterThan(piece.up, glm::vec3(0))));
+    piece.floorHeight = lowestAlong(piece.up, piece.low, piece.high);
     return piece;
 }
 
