@@ -60,7 +60,7 @@ TEST_CASE("why there is no arc is told as the process says it, until it burns or
     CHECK(told(out(NoArc::released)).empty());
     CHECK_THAT(told(out(NoArc::tooFar), 6), contains("touch the metal"));
     CHECK(told(out(NoArc::touching), 20).empty());
-    CHECK_THAT(told(out(NoArc::stuck)), contains("twist it by 12 degrees"));
+    CHECK_THAT(told(out(NoArc::stuck)), contains("Twist it by 12 degrees"));
     CHECK_THAT(told(out(NoArc::tooLong)), contains("Touch the metal and lift"));
     CHECK_THAT(told(out(NoArc::usedUp)), contains("new one"));
 }

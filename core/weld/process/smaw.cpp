@@ -163,7 +163,7 @@ NoArc Smaw::touch(const TorchSample& torch, double seconds) {
 /// Returns the reason why this step has no arc, the holder live. `length`: m from the electrode's end to the metal.
 NoArc Smaw::whyNot(const TorchSample& torch, double length, double seconds) {
     if (noArc_ == NoArc::stuck) {
-        if (turnBetween(held_, torch.orientation) < kSmawFrees) return NoArc::stuck;
+        if (turnBetween(held_, torch.orientation) < kSmawFrees && length < kSmawTears) return NoArc::stuck;
         touching_ = 0;
         live_ = false; // the arc must be struck again
     }

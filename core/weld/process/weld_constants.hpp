@@ -144,6 +144,9 @@ inline constexpr double kSmawTouchVoltage = 5;
 inline constexpr double kSmawSticks = 0.3;
 /// rad that a stuck electrode must be twisted or bent to come free: 12 degrees. No source: chosen.
 inline constexpr double kSmawFrees = 0.21;
+/// m off the metal at which a pull has torn a stuck electrode loose. No source: chosen, farther than rod, hand and
+/// plate give way.
+inline constexpr double kSmawTears = 15e-3;
 /// m of gap that an arc jumps when the electrode is lifted off. No source: chosen.
 inline constexpr double kSmawLift = 4e-3;
 /// m of electrode that remain as the stub.

@@ -71,7 +71,7 @@ TEST_CASE("a stick strikes when it has touched and is lifted, not from afar", "[
     stick.strike();
 }
 
-TEST_CASE("a stick that touches for 0.3 s sticks until it is twisted", "[weld]") {
+TEST_CASE("a stick that touches for 0.3 s sticks until it is twisted or torn off", "[weld]") {
     Stick stick;
     stick.strike();
     CHECK(stick.forSeconds(0.2, 0).action == ArcAction::shorting);
@@ -79,14 +79,19 @@ TEST_CASE("a stick that touches for 0.3 s sticks until it is twisted", "[weld]")
     CHECK(stick.forSeconds(0.35, 0).noArc == NoArc::stuck);
     CHECK(wentOut(NoArc::stuck));
     CHECK(stick.process->sources().empty());
-    CHECK(stick.forSeconds(0.5, 3).noArc == NoArc::stuck); // pulling is not enough
+    CHECK(stick.forSeconds(0.5, 3).noArc == NoArc::stuck); // the rod gives way
     stick.twist(5);
     CHECK(stick.at(3).noArc == NoArc::stuck);
     stick.twist(10);
     CHECK(stick.at(3).noArc == NoArc::tooFar);
     stick.strike();
     CHECK(stick.forSeconds(0.35, -1).noArc == NoArc::stuck); // pressed into the pool
-    stick.torch.trigger = 0;                                 // the holder releases the electrode
+    CHECK(stick.at(14).noArc == NoArc::stuck);
+    CHECK(stick.at(16).noArc == NoArc::tooFar); // torn off
+    CHECK(stick.at(2).noArc == NoArc::tooFar);  // and has to touch again
+    stick.strike();
+    CHECK(stick.forSeconds(0.35, -1).noArc == NoArc::stuck);
+    stick.torch.trigger = 0; // the holder releases the electrode
     CHECK(stick.at(3).noArc == NoArc::released);
     stick.torch.trigger = 1;
     stick.strike();
