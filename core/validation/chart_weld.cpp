@@ -16,20 +16,21 @@ namespace meltpool {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kFreezing = 2;   // s after the arc
-constexpr double kRunIn = 5;      // mm of weld before the stretch that counts, and behind it
-constexpr double kBeyond = 5;     // mm of plate beyond the weld at each end
-constexpr float kAcross = 15;     // mm of plate on each side of the seam
+constexpr double kFreezing = 2; // s after the arc
+constexpr double kBeyond = 5;   // mm of plate beyond the weld at each end
+constexpr float kAcross = 15;   // mm of plate on each side of the seam
 
 /// The case in SI. x along the seam with the joint's middle at 0.
 struct ChartWeld {
     ProcessSettings process;
     WorkpieceParameters joint;
     ChartHand hand;
+    FaceStretch counted; ///< the stretch that is judged
     double ambient;
 
     explicit ChartWeld(const ValidationCase& from) : process(caseProcess(from)), ambient(from.number("ambient_k")) {
-        const double half = (from.number("seam_mm") / 2 + kRunIn) * 1e-3;
+        counted = {-from.number("seam_mm") / 2e3, from.number("seam_mm") / 2e3};
+        const double half = counted.high + from.number("run_in_mm") * 1e-3;
         joint.kind = chartJoint(*from.kind);
         const bool butt = joint.kind == static_cast<int>(WorkpieceKind::Butt);
         if (const auto position = findPosition(from.word("position"))) joint.position = static_cast<int>(*position);
@@ -66,9 +67,6 @@ struct ChartWeld {
         rod.feed = from.number("rod_feed_mm_s") * 1e-3;
         return rod;
     }
-
-    /// Returns the stretch that is judged.
-    FaceStretch counted() const { return {hand.from + kRunIn * 1e-3, hand.to - kRunIn * 1e-3}; }
 
     double seconds() const { return strikingSeconds(process) + hand.travel; }
 
@@ -198,7 +196,7 @@ void runChartWeld(const ValidationCase& from, gl::ShaderLibrary& shaders, Valida
     weld.tellArc(from, result);
     watch.tell(result);
     StationSettings stations;
-    stations.seam = chart.counted();
+    stations.seam = chart.counted;
     stations.ends = 0;
     result.weld = JudgedWeld{weld.measure(weldKindOf(chart.joint), stations), chart.nominal(from), chart.process,
                              weld.meanCurrent(), weld.meanVoltage()};
