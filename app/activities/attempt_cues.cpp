@@ -1,11 +1,11 @@
 #include "app/activities/attempt_cues.hpp"
 
+#include "core/base/words.hpp"
 #include "core/weld/workpiece/position.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_access.hpp>
 #include <glm/matrix.hpp>
-#include <glm/vector_relational.hpp>
 
 #include <cmath>
 #include <utility>
@@ -49,7 +49,7 @@ std::optional<glm::vec4> tableBelow(const WorkpieceParameters& workpiece, const 
     const Fixture fixture = fixtureOf(workpiece);
     if (fixture.overTable > 0) return std::nullopt;
     const glm::vec3 up = fixture.up();
-    return glm::vec4(up, glm::dot(up, glm::mix(scene.boxMax, scene.boxMin, glm::greaterThan(up, glm::vec3(0)))));
+    return glm::vec4(up, lowestAlong(up, scene.boxMin, scene.boxMax));
 }
 
 } // namespace
@@ -147,7 +147,20 @@ void AttemptCues::noteHeld(Trainer& trainer) {
     trainer.event("desk_holds", held.none() ? "none" : keysOf(held, bands->distance));
 }
 
-std::span<const Marker> AttemptCues::markers(const Trainer& trainer, const SceneView& scene, const View& eye) {
+/// Returns the names of the board's fields; none if the person has made progress with each of them, as one field
+/// without a name among named ones would look like a fault.
+CueNames AttemptCues::names() const {
+    CueNames names;
+    bool anyNew = false;
+    for (const CueKind kind : {CueKind::speed, CueKind::angles, CueKind::distance, CueKind::aim}) {
+        names[static_cast<size_t>(kind)] = phraseOf("notice.cues", cueName(kind));
+        anyNew = anyNew || (on_.has(kind) && isNew(kind));
+    }
+    return anyNew ? names : CueNames();
+}
+
+std::span<const Marker> AttemptCues::markers(const Trainer& trainer, const SceneView& scene, const View& eye,
+                                             CueNaming naming) {
     if (!pose_ || on_.empty()) return {};
     const Technique& technique = *trainer.technique();
     const auto& bands = trainer.lesson().technique;
@@ -155,6 +168,7 @@ std::span<const Marker> AttemptCues::markers(const Trainer& trainer, const Scene
     CueEye from = cueEye(scene, eye);
     from.table = tableBelow(trainer.lesson().workpiece, scene);
     from.hands = scene.hands;
+    shapes_.setNames(naming == CueNaming::whileNew ? names() : CueNames());
     return shapes_.build(cues, technique.seam(), *pose_, from, scene.blocks, scene.modelToWorld,
                          welded_ ? &*welded_ : nullptr);
 }

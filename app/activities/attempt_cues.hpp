@@ -32,6 +32,9 @@ CuePose followedPose(const CuePose* before, const Trainer& trainer, double elaps
 /// Eye that looks at a scene, in the workpiece's frame.
 CueEye cueEye(const SceneView& scene, const View& eye);
 
+/// Names at the fields of the cues' board: none, or all while one of them is new to the person.
+enum class CueNaming { none, whileNew };
+
 class AttemptCues {
   public:
     CueParameters parameters;
@@ -76,7 +79,7 @@ class AttemptCues {
     CueSet used() const { return used_; }
 
     /// Cues of the last step for this eye, in the scene's world; valid until the next call.
-    std::span<const Marker> markers(const Trainer& trainer, const SceneView& scene, const View& eye);
+    std::span<const Marker> markers(const Trainer& trainer, const SceneView& scene, const View& eye, CueNaming naming);
 
     /// Number of the last of those markers that are the board beside the torch.
     size_t boardMarkers() const { return shapes_.boardMarkers(); }
@@ -90,6 +93,7 @@ class AttemptCues {
   private:
     void noteHeld(Trainer& trainer);
     CueSet switchedOn() const;
+    CueNames names() const;
     CueSkill shownSkill() const { return showsFaded_ ? CueSkill() : before_; }
 
     std::vector<std::string_view> idle_;

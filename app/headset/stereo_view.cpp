@@ -146,7 +146,7 @@ void StereoView::draw(LessonSession& session, const SceneView& lesson, const Wor
     wearVisor(session, scene, between, views, look);
     Renderer& renderer = session.picture().renderer();
     renderer.submitBy(wantedSubmission(parameters_));
-    scene.markers = session.picture().cueMarkers(scene, between);
+    scene.markers = session.picture().cueMarkers(scene, between, CueNaming::whileNew);
     scene.ghost = session.picture().ghostMarkers(scene, between, place.zoom); // beside the cues' board
     const HiddenArea hidden{eyes.hidden.corners, eyes.hidden.version};
     renderer.draw(scene, look, views,

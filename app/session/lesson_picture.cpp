@@ -8,7 +8,6 @@
 #include <glm/gtc/matrix_access.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
-#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -90,9 +89,9 @@ SceneView LessonPicture::sceneOfMetal() {
     return scene;
 }
 
-std::span<const Marker> LessonPicture::cueMarkers(const SceneView& scene, const View& eye) {
+std::span<const Marker> LessonPicture::cueMarkers(const SceneView& scene, const View& eye, CueNaming naming) {
     if (!showsHelp()) return {};
-    return source_.activities.attempt.cues().markers(*trainer(), scene, eye);
+    return source_.activities.attempt.cues().markers(*trainer(), scene, eye, naming);
 }
 
 std::span<const Marker> LessonPicture::ghostMarkers(const SceneView& scene, const View& eye, float zoom) {
@@ -118,10 +117,8 @@ std::optional<glm::vec3> LessonPicture::arcFrom(const glm::mat4& worldToEye) con
 float LessonPicture::bottom() const {
     if (shown() == nullptr) return 0.0f;
     const SceneView scene = shown()->view();
-    // Along the world's vertical each axis of the box has its lower end.
     const glm::vec3 vertical = glm::row(glm::mat3(scene.modelToWorld), 1);
-    const glm::vec3 lowest = glm::mix(scene.boxMax, scene.boxMin, glm::greaterThan(vertical, glm::vec3(0)));
-    return (glm::dot(vertical, lowest) + scene.modelToWorld[3].y) * kClassicUnit;
+    return (lowestAlong(vertical, scene.boxMin, scene.boxMax) + scene.modelToWorld[3].y) * kClassicUnit;
 }
 
 float LessonPicture::toMetal(const glm::vec3& place) const {
@@ -158,8 +155,8 @@ DeskPicture LessonPicture::atDesk(const Controls& controls, float aspect, const 
     lookThroughTable(scene, view);
     View free = view; // signs beside the work avoid the panels
     free.eyeToClip = covered_.uncovered() * view.eyeToClip;
-    scene.markers = cueMarkers(scene, free);
-    scene.ghost = ghostMarkers(scene, free); // beside the cues' board
+    scene.markers = cueMarkers(scene, free, CueNaming::none); // the window writes their names in its own letters
+    scene.ghost = ghostMarkers(scene, free);                  // beside the cues' board
     if (!scene.markers.empty()) picture.boardMarkers = source_.activities.attempt.cues().boardMarkers();
     nameCues(scene, view);
     return picture;

@@ -76,7 +76,7 @@ class LessonPicture {
 
     /// Cues for this eye, or for the middle between two, in the world of `scene`; none outside an attempt. Valid until
     /// the next call.
-    std::span<const Marker> cueMarkers(const SceneView& scene, const View& eye);
+    std::span<const Marker> cueMarkers(const SceneView& scene, const View& eye, CueNaming naming);
     /// Names of the cues on the board of the last desk picture that the person has made no progress with. Places are in
     /// the window: shares of its width and height from the upper left.
     std::span<const NamedCue> namedCues() const { return namedCues_; }

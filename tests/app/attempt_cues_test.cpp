@@ -28,9 +28,9 @@ class Welder {
         session.reset(controls);
         hand_.goBack();
     }
-    size_t markers() {
+    size_t markers(CueNaming naming = CueNaming::none) {
         const SceneView scene = session.picture().scene(nullptr);
-        return session.picture().cueMarkers(scene, controls.view(1.5F)).size();
+        return session.picture().cueMarkers(scene, controls.view(1.5F), naming).size();
     }
 
     Controls controls;
@@ -148,6 +148,7 @@ TEST_CASE("the fields on the board have their names until the person has made pr
         return names.names();
     };
     CHECK(named() == "speed angles distance aim");
+    CHECK(welder.markers(CueNaming::whileNew) > welder.markers(CueNaming::none) + 40); // a letter has several
     CueSkill skill;
     skill.setGood(TechniqueQuantity::aim, 1);
     skill.setGood(TechniqueQuantity::workAngle, 1); // the travel angle is new
@@ -158,6 +159,7 @@ TEST_CASE("the fields on the board have their names until the person has made pr
         skill.setGood(each, 1);
     welder.session.attempt().cues().setSkill(skill);
     CHECK(named() == "");
+    CHECK(welder.markers(CueNaming::whileNew) == welder.markers(CueNaming::none));
 }
 
 TEST_CASE("a lesson shows the cues that it allows and can measure, and menus only those", "[app]") {

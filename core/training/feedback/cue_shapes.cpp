@@ -1,6 +1,7 @@
 #include "core/training/feedback/cue_shapes.hpp"
 
 #include "core/render/line_of_sight.hpp"
+#include "core/scene/stroke_text.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -13,7 +14,7 @@ namespace meltpool {
 
 namespace {
 
-constexpr size_t kMostMarkers = 64;
+constexpr size_t kMostMarkers = 512; // names have a marker for each stroke of a letter
 // Linear sRGB. Every eye distinguishes blue from vermilion; the mark's place says as much as its colour.
 constexpr glm::vec3 kGround(0.008F, 0.010F, 0.014F);
 constexpr glm::vec3 kTrack(0.04F, 0.05F, 0.06F);
@@ -33,10 +34,13 @@ constexpr float kTile = 0.96F;               // share of a field's edge
 constexpr float kHalfBar = 0.36F;            // share of a field's edge
 constexpr float kBarWidth = 0.2F;            // share of a field's edge
 constexpr float kLayer = 0.01F;              // share of a field's edge: distance between shapes on top of one another
-constexpr float kFarthest = 1.15F;           // place of a mark beyond the band, in half bars
-constexpr float kLift = 20e-3F;              // distance of the board before the pool, m
-constexpr float kLargestLift = 0.4F;         // share of the eye's distance
-constexpr float kClear = 1.15F;              // room between board and pool, in disc radii
+constexpr float kNameFigure = 0.24F;         // share of a field's edge: largest height of a figure in a name
+constexpr float kNameMargin = 0.4F;          // beside and below a name, in figure heights
+constexpr glm::vec3 kNameColour(0.75F, 0.80F, 0.84F);
+constexpr float kFarthest = 1.15F;     // place of a mark beyond the band, in half bars
+constexpr float kLift = 20e-3F;        // distance of the board before the pool, m
+constexpr float kLargestLift = 0.4F;   // share of the eye's distance
+constexpr float kClear = 1.15F;        // room between board and pool, in disc radii
 constexpr float kClearPerLift = 0.13F; // share of the lift: half the distance between the eyes over their distance from
                                        // the pool
 
@@ -107,6 +111,15 @@ CueShapes::CueShapes() {
     markers_.reserve(kMostMarkers);
 }
 
+// All names have the size at which the longest is as wide as its field.
+void CueShapes::setNames(const CueNames& names) {
+    names_ = names;
+    float longest = 0;
+    for (const std::string_view name : names)
+        longest = std::max(longest, strokeTextLength(name, 1));
+    nameFigure_ = longest > 0 ? std::min(kNameFigure, kTile / (longest + 2 * kNameMargin)) : 0;
+}
+
 void CueShapes::add(SolidShape shape, const glm::mat4& place, const glm::vec3& colour, double opacity) {
     markers_.push_back({shape, toWorld_ * place, colour, static_cast<float>(opacity)});
 }
@@ -142,20 +155,21 @@ bool CueShapes::hidden(const glm::vec3& point, const CueEye& eye, std::span<cons
     return behindHands(point, eye);
 }
 
-/// How badly a board is placed: hidden, outside the picture, or before or behind the torch; 0: fully visible.
+/// How badly a board is placed: hidden, outside the picture, or before or behind the torch; 0: fully visible. Counts no
+/// further than to `enough`, as most of the time goes into the hands' many solids.
 int CueShapes::badness(const Board& board, const CuePose& pose, const glm::vec3& pool, const CueEye& eye,
-                       std::span<const WorkpieceBlock> blocks) const {
+                       std::span<const WorkpieceBlock> blocks, int enough) const {
     constexpr int kHidden = 4, kOutside = 2, kAtTorch = 1;
     int sum = 0;
     for (const auto& [column, row] : {std::pair(0.0F, 0.0F), {2.0F, 0.0F}, {1.0F, 1.0F}, {0.0F, 2.0F}, {2.0F, 2.0F}}) {
         const glm::vec3 point = board.field(column, row);
         if (besideTorch(pool, pose.axis, eye.position, point)) sum += kAtTorch;
         if (eye.toClip && outside(*eye.toClip * glm::vec4(point, 1))) sum += kOutside;
-        if (hidden(point, eye, blocks)) sum += kHidden;
+        if (sum < enough && hidden(point, eye, blocks)) sum += kHidden;
     }
     // A handle is thin enough to lie between these corners.
     for (const auto& [column, row] : {std::pair(0.5F, 0.5F), {0.5F, 1.5F}, {1.5F, 0.5F}, {1.5F, 1.5F}})
-        if (behindHands(board.field(column, row), eye)) sum += kHidden;
+        if (sum < enough && behindHands(board.field(column, row), eye)) sum += kHidden;
     return sum;
 }
 
@@ -169,7 +183,7 @@ CueShapes::Board CueShapes::boardFor(const CuePose& pose, const SeamFrame& frame
     int least = kWorst;
     const auto consider = [&](const Stand& stand) {
         if (least == 0) return;
-        const int bad = badness(boardAt(stand, pool, eye), pose, pool, eye, blocks);
+        const int bad = badness(boardAt(stand, pool, eye), pose, pool, eye, blocks, least);
         if (bad < least) stand_ = stand;
         least = std::min(least, bad);
     };
@@ -193,6 +207,19 @@ void CueShapes::addTile(const Board& board, const glm::vec3& middle, const Cue& 
         placed(middle - board.toEye * (2 * kLayer * board.cell), board.right * edge, board.up * edge,
                board.toEye * (kLayer * board.cell)),
         kGround, kGroundOpacity * opacity);
+    addName(board, names_[static_cast<size_t>(cue.kind)], place, above, opacity);
+}
+
+/// Adds a field's name beyond the middle of its outer edge.
+void CueShapes::addName(const Board& board, std::string_view name, const glm::vec3& edge, bool above, double opacity) {
+    if (name.empty()) return;
+    const TextPlane plane{edge, board.right, board.up, board.toEye, nameFigure_ * board.cell};
+    const float width = kTile / nameFigure_, length = strokeTextLength(name, 1);
+    const float low = above ? 0 : -kMarkerTextLine;
+    const auto cover = static_cast<float>(opacity);
+    MarkerText::addGround(markers_, plane, {0, low + kMarkerTextLine / 2}, {width, kMarkerTextLine},
+                          {kGround, static_cast<float>(kGroundOpacity) * cover}, toWorld_);
+    text_.add(markers_, name, plane, {-length / 2, low + kNameMargin}, {kNameColour, cover}, toWorld_);
 }
 
 /// Adds the ground of a bar, the inner band on it, the line of the ideal and the mark; `along` is a unit vector.
@@ -268,7 +295,7 @@ void CueShapes::addAngles(const Board& board, const CueList& cues, const SeamFra
 /// Adds a line for the metal and an arrow to it or from it; a cross if neither helps. `away`: from the metal, unit.
 void CueShapes::addArcSign(const Board& board, const Cue& cue, const glm::vec3& away) {
     const float cell = board.cell, half = kHalfBar * cell, thick = kLayer * cell;
-    const glm::vec3 middle = board.field(1.0F, 2.5F);
+    const glm::vec3 middle = board.field(1.0F, 2.5F + kMarkerTextLine * nameFigure_);
     const glm::vec3& colour = colourOf(cue.zone);
     add(SolidShape::cylinder,
         placed(middle, board.right * (2.4F * half), board.up * (2.4F * half), board.toEye * thick), kGround,

@@ -4,6 +4,7 @@
 
 #include "core/render/solids.hpp"
 #include "core/training/feedback/cues.hpp"
+#include "core/training/feedback/marker_text.hpp"
 #include "core/training/judging/seam.hpp"
 #include "core/training/judging/welded_places.hpp"
 #include "core/weld/workpiece/workpiece.hpp"
@@ -56,6 +57,9 @@ struct CueLabel {
     double opacity = 1; ///< of the cue
 };
 
+/// Names of the board's fields, in the order of CueKind; an empty one is not drawn.
+using CueNames = std::array<std::string_view, kCueKinds.size()>;
+
 /// True if `point`, seen from `eye`, hides a part of the disc around `centre` with unit normal `normal`.
 bool coversDisc(const glm::vec3& eye, const glm::vec3& point, const glm::vec3& centre, const glm::vec3& normal,
                 float radius);
@@ -73,6 +77,9 @@ bool coversDisc(const glm::vec3& eye, const glm::vec3& point, const glm::vec3& c
 class CueShapes {
   public:
     CueShapes();
+
+    /// Sets the names that the fields of the next boards carry at their outer edges; borrowed. None at first.
+    void setNames(const CueNames& names);
 
     /// Builds the markers in the world, from the workpiece's frame by `toWorld`; valid until the next call. Allocates
     /// nothing after the first. `blocks`: blocks of the workpiece. `welded`: places without dashes; may be null.
@@ -113,10 +120,11 @@ class CueShapes {
     bool behindHands(const glm::vec3& point, const CueEye& eye) const;
     bool hidden(const glm::vec3& point, const CueEye& eye, std::span<const WorkpieceBlock> blocks) const;
     int badness(const Board& board, const CuePose& pose, const glm::vec3& pool, const CueEye& eye,
-                std::span<const WorkpieceBlock> blocks) const;
+                std::span<const WorkpieceBlock> blocks, int enough) const;
     Board boardFor(const CuePose& pose, const SeamFrame& frame, const glm::vec3& pool, const CueEye& eye,
                    std::span<const WorkpieceBlock> blocks);
     void addTile(const Board& board, const glm::vec3& middle, const Cue& cue, double opacity);
+    void addName(const Board& board, std::string_view name, const glm::vec3& edge, bool above, double opacity);
     void addBar(const Board& board, const Cue& cue, const glm::vec3& middle, const glm::vec3& along);
     void addAngles(const Board& board, const CueList& cues, const SeamFrame& frame, int direction);
     void addArcSign(const Board& board, const Cue& cue, const glm::vec3& away);
@@ -128,6 +136,9 @@ class CueShapes {
     size_t dashes_ = 0; ///< the first of the markers
     std::array<CueLabel, 4> labels_;
     size_t labelCount_ = 0;
+    CueNames names_;
+    float nameFigure_ = 0; ///< height of a figure in the names, as a share of a field's edge; 0 without names
+    MarkerText text_;
     glm::mat4 toWorld_{1.0f};
     Stand stand_;      ///< place of the last board
     float wanted_ = 0; ///< side of the travel direction at that time

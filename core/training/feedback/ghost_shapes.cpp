@@ -14,16 +14,12 @@ namespace meltpool {
 namespace {
 
 constexpr size_t kMostMarkers = 1024;
-constexpr size_t kMostStrokes = 512;
 
 constexpr glm::vec3 kGround(0.008F, 0.010F, 0.014F);
 constexpr float kGroundOpacity = 0.6F, kWordsOpacity = 0.95F;
 
 constexpr float kFigure = 0.017F;      // height of a digit over its distance from the eye
-constexpr float kLine = 1.9F;          // height of a line, in digit heights
 constexpr float kMargin = 0.7F;        // around the words, in digit heights
-constexpr float kStroke = 0.13F;       // width of a stroke, in digit heights
-constexpr float kLayer = 0.1F;         // distance of the ground behind the words, in digit heights
 constexpr float kOverBoard = 0.2F;     // share of the eye's distance: higher than the cues' board
 constexpr float kNameGap = 0.01F;      // likewise, between words and name
 constexpr float kLift = 20e-3F;        // m before the pool
@@ -58,22 +54,22 @@ ArcState arcOf(const GhostMoment& moment, const ProcessSettings& process, const 
 
 GhostShapes::GhostShapes() {
     markers_.reserve(kMostMarkers);
-    strokes_.reserve(kMostStrokes);
 }
 
 GhostShapes::Page GhostShapes::pageAt(const glm::vec3& pool, const CueEye& eye, float side, float row) {
     Page page;
     const float distance = std::max(glm::distance(eye.position, pool), 1e-3F);
     const float lift = std::min(kLift, kLargestLift * distance);
-    page.toEye = (eye.position - pool) / distance;
-    page.right = glm::normalize(glm::cross(eye.up, page.toEye));
-    page.up = glm::cross(page.toEye, page.right);
+    TextPlane& plane = page.plane;
+    plane.toEye = (eye.position - pool) / distance;
+    plane.right = glm::normalize(glm::cross(eye.up, plane.toEye));
+    plane.up = glm::cross(plane.toEye, plane.right);
+    plane.figure = kFigure * (distance - lift);
     page.side = side;
     page.row = row;
-    page.figure = kFigure * (distance - lift);
     // Nearer things look farther from the middle, the more so from an eye that is off the middle.
     const float clear = kClear * static_cast<float>(kPoolDisc) * (distance - lift) / distance + kClearPerLift * lift;
-    page.corner = pool + page.toEye * lift + page.right * (side * clear) + page.up * (row * (distance - lift));
+    plane.origin = pool + plane.toEye * lift + plane.right * (side * clear) + plane.up * (row * (distance - lift));
     return page;
 }
 
@@ -84,42 +80,16 @@ GhostShapes::Page GhostShapes::pageFor(const glm::vec3& place, const CueEye& eye
     if (!eye.toClip) return first;
     for (const Stand& stand : stands) {
         const Page page = pageAt(place, eye, stand.side, stand.row);
-        const float far = stand.side * width * page.figure, high = height * page.figure;
-        if (!outside(*eye.toClip, page.at(far, 0)) && !outside(*eye.toClip, page.at(far, high)) &&
-            !outside(*eye.toClip, page.at(0, high)))
-            return page;
+        const auto inside = [&](float x, float y) { return !outside(*eye.toClip, page.plane.at({x, y})); };
+        if (inside(stand.side * width, 0) && inside(stand.side * width, height) && inside(0, height)) return page;
     }
     return first;
 }
 
-/// `left` and `base`: start of the line on the page.
-void GhostShapes::addLine(const Page& page, std::string_view text, float left, float base, float opacity,
-                          const glm::mat4& toWorld) {
-    strokes_.clear();
-    StrokeTextStyle style;
-    style.height = page.figure;
-    appendStrokeText(strokes_, text, {left, base}, style);
-    const float half = kStroke * page.figure / 2;
-    for (const SectionStroke& stroke : strokes_) {
-        const glm::vec2 way = stroke.to - stroke.from;
-        const float length = glm::length(way);
-        const glm::vec2 end = (length > 0 ? way / length : glm::vec2(1, 0)) * half; // a stroke without length is a
-                                                                                    // square
-        const glm::vec2 from = stroke.from - end, to = stroke.to + end;
-        markers_.push_back({SolidShape::box,
-                            toWorld * alongLine(page.at(from.x, from.y), page.at(to.x, to.y), 2 * half), kGhostColour,
-                            opacity});
-    }
-}
-
 /// Adds the dark ground of a page; `width` and `height`: in digit heights.
 void GhostShapes::addGround(const Page& page, float width, float height, float strength, const glm::mat4& toWorld) {
-    const glm::vec3 middle = page.at(page.side * width / 2 * page.figure, height / 2 * page.figure);
-    const glm::mat4 ground{glm::vec4(page.right * (width * page.figure), 0),
-                           glm::vec4(page.up * (height * page.figure), 0),
-                           glm::vec4(page.toEye * (0.5F * kLayer * page.figure), 0),
-                           glm::vec4(middle - page.toEye * (kLayer * page.figure), 1)};
-    markers_.push_back({SolidShape::box, toWorld * ground, kGround, kGroundOpacity * strength});
+    MarkerText::addGround(markers_, page.plane, {page.side * width / 2, height / 2}, {width, height},
+                          {kGround, kGroundOpacity * strength}, toWorld);
 }
 
 /// Adds the words beside the pool; returns the height of their upper edge, as a share of the eye's distance.
@@ -130,7 +100,7 @@ float GhostShapes::addWords(const GhostWords& words, const glm::vec3& pool, floa
     for (size_t i = 0; i < words.lines(); ++i)
         width = std::max(width, strokeTextLength(words.line(i), 1));
     width += 2 * kMargin;
-    const float height = kLine * static_cast<float>(words.lines()) + kMargin;
+    const float height = kMarkerTextLine * static_cast<float>(words.lines()) + kMargin;
     const std::array<Stand, 3> stands{{{side, 0}, {-side, kOverBoard}, {side, kOverBoard}}};
     const bool taken = look.boardSide == side;
     const Page page = pageFor(pool, eye, std::span(stands).subspan(taken ? 1 : 0), width, height);
@@ -138,8 +108,8 @@ float GhostShapes::addWords(const GhostWords& words, const glm::vec3& pool, floa
     addGround(page, width, height, strength, toWorld);
     for (size_t i = 0; i < words.lines(); ++i) {
         const float left = page.side > 0 ? kMargin : kMargin - width;
-        const float base = kMargin + kLine * static_cast<float>(words.lines() - 1 - i);
-        addLine(page, words.line(i), left * page.figure, base * page.figure, kWordsOpacity * strength, toWorld);
+        const float base = kMargin + kMarkerTextLine * static_cast<float>(words.lines() - 1 - i);
+        text_.add(markers_, words.line(i), page.plane, {left, base}, {kGhostColour, kWordsOpacity * strength}, toWorld);
     }
     return page.row + height * kFigure;
 }
@@ -148,14 +118,14 @@ float GhostShapes::addWords(const GhostWords& words, const glm::vec3& pool, floa
 /// the eye's distance.
 void GhostShapes::addName(const glm::vec3& end, float side, float row, const GhostLook& look, const CueEye& eye,
                           const glm::mat4& toWorld) {
-    const float width = strokeTextLength(look.name, 1) + 2 * kMargin, height = kLine + kMargin;
+    const float width = strokeTextLength(look.name, 1) + 2 * kMargin, height = kMarkerTextLine + kMargin;
     const float over = std::max(row + kNameGap, kOverBoard);
     const std::array<Stand, 2> stands{{{side, over}, {-side, over}}};
     const Page page = pageFor(end, eye, stands, width, height);
     const auto strength = static_cast<float>(look.strength);
     addGround(page, width, height, strength, toWorld);
     const float left = page.side > 0 ? kMargin : kMargin - width;
-    addLine(page, look.name, left * page.figure, kMargin * page.figure, kWordsOpacity * strength, toWorld);
+    text_.add(markers_, look.name, page.plane, {left, kMargin}, {kGhostColour, kWordsOpacity * strength}, toWorld);
 }
 
 std::span<const Marker> GhostShapes::build(const GhostMoment& moment, const GhostWords& words,
@@ -167,7 +137,7 @@ std::span<const Marker> GhostShapes::build(const GhostMoment& moment, const Ghos
     addGhostTorch(markers_, parts_, moment.torch, process, arc, static_cast<float>(look.strength), look.size, toWorld);
     const SeamFrame frame = seam.at(look.hand.place);
     const glm::vec3 pool(frame.point + frame.across * look.hand.aim);
-    const glm::vec3 right = pageAt(pool, eye, 1, 0).right;
+    const glm::vec3 right = pageAt(pool, eye, 1, 0).plane.right;
     const float ahead = static_cast<float>(look.hand.direction) * glm::dot(glm::vec3(frame.tangent), right);
     const float behind = ahead < -0.1F ? 1.0F : -1.0F;
     const float top = addWords(words, pool, behind, look, eye, toWorld);

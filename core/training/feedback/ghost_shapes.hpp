@@ -4,8 +4,8 @@
 #include "core/render/solids.hpp"
 #include "core/training/feedback/cue_shapes.hpp"
 #include "core/training/feedback/ghost.hpp"
+#include "core/training/feedback/marker_text.hpp"
 #include "core/weld/process/processes.hpp"
-#include "shaders/shared/render.h"
 
 #include <span>
 #include <vector>
@@ -14,9 +14,9 @@ namespace meltpool {
 
 /// Parts of a ghost to draw.
 struct GhostLook {
-    double strength = 1; ///< 0 gone .. 1
-    float size = 1;      ///< scale of its torch relative to the workpiece
-    CuePose hand;        ///< pose of one's own torch: the words are next to it, away from the cues' board
+    double strength = 1;        ///< 0 gone .. 1
+    float size = 1;             ///< scale of its torch relative to the workpiece
+    CuePose hand;               ///< pose of one's own torch: the words are next to it, away from the cues' board
     std::string_view name = {}; ///< whose torch it is; empty: no name is drawn
     float boardSide = 0;        ///< side of the pool on which the cues' board is: 1 right, -1 left, 0 none
 };
@@ -34,17 +34,11 @@ class GhostShapes {
                                   const Seam& seam, const GhostLook& look, const CueEye& eye, const glm::mat4& toWorld);
 
   private:
-    /// A plane that faces the eye, with its lower corner nearest to the pool.
+    /// A plane that faces the eye, from its lower corner nearest to the pool.
     struct Page {
-        glm::vec3 corner{0};
-        glm::vec3 right{1, 0, 0};
-        glm::vec3 up{0, 1, 0};
-        glm::vec3 toEye{0, 0, 1};
-        float side = 1;   ///< 1: the page extends to the right of its corner, -1: to the left
-        float figure = 0; ///< height of a digit
-        float row = 0;    ///< height above the pool, as a share of the eye's distance
-
-        glm::vec3 at(float x, float y) const { return corner + right * x + up * y; }
+        TextPlane plane;
+        float side = 1; ///< 1: the page extends to the right of its corner, -1: to the left
+        float row = 0;  ///< height above the pool, as a share of the eye's distance
     };
 
     /// Side and row of a page.
@@ -60,12 +54,10 @@ class GhostShapes {
     void addName(const glm::vec3& end, float side, float row, const GhostLook& look, const CueEye& eye,
                  const glm::mat4& toWorld);
     void addGround(const Page& page, float width, float height, float strength, const glm::mat4& toWorld);
-    void addLine(const Page& page, std::string_view text, float left, float base, float opacity,
-                 const glm::mat4& toWorld);
 
     std::vector<Marker> markers_;
     std::vector<Solid> parts_;
-    std::vector<SectionStroke> strokes_;
+    MarkerText text_;
 };
 
 } // namespace meltpool

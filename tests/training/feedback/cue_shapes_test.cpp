@@ -67,6 +67,8 @@ std::vector<glm::vec3> pointsOf(const Marker& marker) {
     return points;
 }
 
+constexpr CueNames kNames{"speed", "angles", "distance", "aim", "", ""};
+
 struct Stage {
     explicit Stage(WorkpieceKind kind) : workpiece(workpieceOf(kind)), seam(seamOf(workpiece)) {
         pose.place = seam.begin() + (seam.closed() ? 0.1 : 0.4) * seam.length(); // near the top of a pipe
@@ -92,6 +94,8 @@ struct Stage {
 
 TEST_CASE("no marker hides a part of the pool's disc from a camera or from either of two eyes", "[training]") {
     CueShapes shapes;
+    const bool named = GENERATE(false, true);
+    if (named) shapes.setNames(kNames);
     size_t drawn = 0;
     for (const WorkpieceKind kind : {WorkpieceKind::Plate, WorkpieceKind::Tee, WorkpieceKind::Pipe}) {
         Stage stage(kind);
@@ -99,8 +103,8 @@ TEST_CASE("no marker hides a part of the pool's disc from a camera or from eithe
             for (const float azimuth : {-80.0F, -45.0F, 0.0F, 30.0F, 68.0F, 85.0F})
                 for (const float elevation : {10.0F, 24.0F, 45.0F, 75.0F})
                     for (const float distance : {0.06F, 0.1F, 0.25F, 0.45F}) {
-                        INFO("kind " << int(kind) << ", direction " << direction << ", eye at " << azimuth << " "
-                                     << elevation << " " << distance);
+                        INFO("kind " << int(kind) << (named ? ", named" : "") << ", direction " << direction
+                                     << ", eye at " << azimuth << " " << elevation << " " << distance);
                         stage.pose.direction = direction;
                         const CueEye eye = eyeAt(stage.pool, azimuth, elevation, distance);
                         const auto markers = shapes.build(allCues(direction < 0 ? -1 : 1), stage.seam, stage.pose, eye,
