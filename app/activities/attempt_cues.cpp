@@ -72,6 +72,14 @@ CueEye cueEye(const SceneView& scene, const View& eye) {
     return from;
 }
 
+CueWords cueWords(CueKind kind) {
+    CueWords words{phraseOf("notice.cues", cueName(kind))};
+    if (kind != CueKind::speed && kind != CueKind::distance) return words; // the others have more than two ways
+    words.less = phraseOf("notice.cues.less", cueName(kind));
+    words.more = phraseOf("notice.cues.more", cueName(kind));
+    return words;
+}
+
 ParameterList describe(CueParameters& c) {
     return {
         {"speed", "Speed", "", &c.speed, 0, 1, "Arrow on a bar along the seam. Ahead of the middle means too fast."},
@@ -153,7 +161,7 @@ CueNames AttemptCues::names() const {
     CueNames names;
     bool anyNew = false;
     for (const CueKind kind : {CueKind::speed, CueKind::angles, CueKind::distance, CueKind::aim}) {
-        names[static_cast<size_t>(kind)] = phraseOf("notice.cues", cueName(kind));
+        names[static_cast<size_t>(kind)] = cueWords(kind);
         anyNew = anyNew || (on_.has(kind) && isNew(kind));
     }
     return anyNew ? names : CueNames();

@@ -32,6 +32,9 @@ CuePose followedPose(const CuePose* before, const Trainer& trainer, double elaps
 /// Eye that looks at a scene, in the workpiece's frame.
 CueEye cueEye(const SceneView& scene, const View& eye);
 
+/// Words at a field of the cues' board in the person's language.
+CueWords cueWords(CueKind kind);
+
 /// Names at the fields of the cues' board: none, or all while one of them is new to the person.
 enum class CueNaming { none, whileNew };
 

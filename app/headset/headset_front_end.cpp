@@ -284,11 +284,12 @@ void HeadsetFrontEnd::recordPerson(LessonSession& session) {
     session.log().recordings().person(person);
 }
 
-/// Returns the sentence for the notice's quiet part: the task at work, or the answer to a trigger held over a result.
+/// Returns the sentence for the notice's quiet part: the task until the arc has burned, as no one reads it beside a
+/// pool, or the answer to a trigger held over a result.
 std::string_view HeadsetFrontEnd::quietSentence(const LessonSession& session) const {
     if (again_.holds()) return phrase("headset.notice.again");
-    return page_ == Page::work && session.leader() == TorchLeader::hand ? std::string_view(session.lesson().text)
-                                                                        : std::string_view();
+    const bool begins = page_ == Page::work && session.leader() == TorchLeader::hand && !arcBurned_;
+    return begins ? std::string_view(session.lesson().text) : std::string_view();
 }
 
 xr::Pose HeadsetFrontEnd::head() const {

@@ -73,7 +73,10 @@ HeadsetMenuAnswer HeadsetMenu::draw(const xr::Panel& panel, const PointerOnPanel
         if (another) ImGui::SetScrollY(0);
         if (content.home.open) return homePart(context, session, content);
         lessonPart(context, session, content);
+        const bool judged = session.attempt().judged().has_value(); // then its buttons come first
+        if (!judged) legendPart(context, session, content);
         pagePart(context, session, content);
+        if (judged) legendPart(context, session, content);
         if (content.dimmed)
             ui::fillRounded(*ImGui::GetForegroundDrawList(), {0, 0}, ImGui::GetIO().DisplaySize, IM_COL32(0, 0, 0, 120),
                             0);
@@ -134,10 +137,10 @@ void HeadsetMenu::lessonPart(ui::Context& context, LessonSession& session, const
     if (activities.at(activities.replay))
         if (const MenuRequest asked = ui::replayPart(context, session); asked != MenuRequest::none)
             answer_.request = asked;
-    lessonButtons(context, session, content);
+    lessonButtons(context, session);
 }
 
-void HeadsetMenu::lessonButtons(ui::Context& context, const LessonSession& session, const HeadsetMenuContent& content) {
+void HeadsetMenu::lessonButtons(ui::Context& context, const LessonSession& session) {
     const auto asks = [&](const char* name, const char* key, MenuRequest request, ui::ButtonKind kind, float width) {
         if (ui::button(context, name, phrase(key).c_str(), kind, width)) answer_.request = request;
         ImGui::SameLine();
@@ -158,6 +161,10 @@ void HeadsetMenu::lessonButtons(ui::Context& context, const LessonSession& sessi
     ImGui::NewLine();
     asks("headset.home", "headset.button.home", MenuRequest::home, ui::ButtonKind::plain, 70);
     answer_.recentre = plainButton(context, "headset.recentre", "headset.button.recentre", 130);
+}
+
+/// Draws the legend under a heading that opens it.
+void HeadsetMenu::legendPart(ui::Context& context, const LessonSession& session, const HeadsetMenuContent& content) {
     if (ui::namedHeading(context, "headset", "lesson_buttons", phrase("headset.legend.heading"), false))
         legend(context, &session.lesson(), content);
 }

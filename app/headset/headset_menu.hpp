@@ -47,8 +47,9 @@ class HeadsetMenu {
   private:
     void homePart(ui::Context& context, LessonSession& session, const HeadsetMenuContent& content);
     void lessonPart(ui::Context& context, LessonSession& session, const HeadsetMenuContent& content);
-    void lessonButtons(ui::Context& context, const LessonSession& session, const HeadsetMenuContent& content);
+    void lessonButtons(ui::Context& context, const LessonSession& session);
     void legend(ui::Context& context, const Lesson* lesson, const HeadsetMenuContent& content);
+    void legendPart(ui::Context& context, const LessonSession& session, const HeadsetMenuContent& content);
     void headsetPage(ui::Context& context, const HeadsetMenuContent& content);
     void pagePart(ui::Context& context, LessonSession& session, const HeadsetMenuContent& content);
 

@@ -176,7 +176,8 @@ void LessonPicture::nameCues(const SceneView& scene, const View& view) {
         };
         const glm::vec2 place = inWindow(label.place);
         const float width = 2 * std::abs(inWindow(label.end).x - place.x);
-        namedCues_.push_back({label.kind, place, width, label.above, static_cast<float>(label.opacity)});
+        namedCues_.push_back(
+            {label.kind, place, width, label.above, static_cast<float>(label.opacity), label.correction});
     }
 }
 

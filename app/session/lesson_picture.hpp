@@ -23,13 +23,14 @@ struct DeskPicture {
     size_t boardMarkers = 0; ///< number of the scene's last markers that are a board beside the work, not on it
 };
 
-/// Name of a cue's field in the window.
+/// Name of a cue's field in the window, or what the hand has to do.
 struct NamedCue {
     CueKind kind = CueKind::speed;
     glm::vec2 place{0}; ///< middle of the field's upper or lower edge
     float width = 0;    ///< of the field
     bool above = false; ///< the edge is the upper one
     float opacity = 1;
+    int correction = 0; ///< see CueLabel
 };
 
 /// The lesson to show; all of it must outlive the picture.

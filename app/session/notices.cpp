@@ -31,6 +31,7 @@ static_assert(kKeys.size() == static_cast<size_t>(NoArc::usedUp) + 1);
 std::string_view touchKey(NoArc reason) {
     if (reason == NoArc::tooLong) return "notice.arc_by_touch.too_long";
     if (reason == NoArc::metalLeft) return "notice.arc_by_touch.metal_left";
+    if (reason == NoArc::noMetal) return "notice.arc_by_touch.no_metal";
     if (reason == NoArc::tooFar) return "notice.arc_by_touch.too_far";
     if (reason == NoArc::touching) return {};
     return kKeys[static_cast<size_t>(reason)];

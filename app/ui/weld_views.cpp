@@ -80,7 +80,8 @@ void cueNames(Context& context, std::span<const NamedCue> cues) {
     ImDrawList* draw = ImGui::GetBackgroundDrawList();
     const float usual = loadedSize(*context.fonts.small) * ImGui::GetIO().FontGlobalScale;
     for (const NamedCue& cue : cues) {
-        const char* const name = phraseOf("notice.cues", cueName(cue.kind)).c_str();
+        const ShortText text(cueWords(cue.kind).shown(cue.correction));
+        const char* const name = text.c_str();
         const float least = 0.55f * usual, room = cue.width * screen.x;
         const float wide = context.fonts.small->CalcTextSizeA(usual, FLT_MAX, 0, name).x;
         const float size = std::clamp(usual * room / std::max(wide, 1.0f), least, usual);

@@ -14,6 +14,7 @@
 //   tilt SIDE TRAVEL        leans the torch: degrees towards the person, degrees to the right
 //   move RIGHT UP NEAR T    moves the torch's tip
 //   weld RIGHT UP NEAR T    pulls the trigger, and moves the torch's tip in the metal's time
+//   touch DOWN T            pulls the trigger, and dips the torch's tip by DOWN and back in the metal's time
 //   pull T                  pulls the trigger, and lets it go after that time
 //   hold, release           pulls the trigger, lets it go
 //   stick Y T               pushes the torch hand's stick forwards (1) or back (-1)
@@ -23,6 +24,7 @@
 //
 // FOLDER/answers.txt gets a line for each: picture and order, and "no such order" for others.
 #include "core/base/text.hpp"
+#include "core/weld/process/processes.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/xr/trainee.hpp"
 
@@ -99,6 +101,7 @@ class Wearer {
         size_t count = 0;
         while (count < given.size() && words >> given[count])
             ++count;
+        takeTorch();
         return (count == 4 && movesTorch(what, given)) || (count < 4 && looks(what, given, count)) ||
                (count < 4 && acts(what, given, count));
     }
@@ -113,6 +116,14 @@ class Wearer {
     }
 
   private:
+    /// Takes the torch of the lesson into the hand: an electrode is longer than a nozzle.
+    void takeTorch() {
+        const json machine = trainer_.now()["parameters"].value("simulation", json::object());
+        if (machine.contains("electrode")) return trainee_.take(Smaw::kName);
+        if (machine.contains("wire_feed_m_min")) return trainee_.take(Gmaw::kName);
+        if (machine.contains("current")) trainee_.take(Gtaw::kName);
+    }
+
     bool movesTorch(const std::string& what, const std::array<float, 4>& given) {
         const glm::vec3 way = glm::vec3(given[0], given[1], given[2]) * kMm;
         if (what == "move") return glide(way, given[3], false), true;
@@ -136,6 +147,7 @@ class Wearer {
         if (what == "point" && count == 2) return point(rayAt(given[0], given[1])), true;
         if (what == "reach" && count == 2) return reach(rayAt(given[0], given[1])), true;
         if (what == "tilt" && count == 2) return tilt(given[0], given[1]), holdTip(), true;
+        if (what == "touch" && count == 2) return dip(given[0] * kMm, given[1]), true;
         if (what == "pull" && count == 1) return hold(torch.trigger, 1, given[0]), true;
         if (what == "stick" && count == 2) return hold(torch.thumbstickY, given[0], given[1]), true;
         if (what == "button" && count == 1) return press(torch.b, given[0]), true;
@@ -209,6 +221,11 @@ class Wearer {
             sleepFor(0.03);
             if (real > 10 * seconds + 60) break; // the metal stands still
         }
+    }
+
+    void dip(float depth, double seconds) {
+        glide({0, -depth, 0}, seconds / 2, true);
+        glide({0, depth, 0}, seconds / 2, true);
     }
 
     double metalTime() {

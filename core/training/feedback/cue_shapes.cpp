@@ -115,8 +115,9 @@ CueShapes::CueShapes() {
 void CueShapes::setNames(const CueNames& names) {
     names_ = names;
     float longest = 0;
-    for (const std::string_view name : names)
-        longest = std::max(longest, strokeTextLength(name, 1));
+    for (const CueWords& words : names)
+        for (const std::string_view word : {words.name, words.less, words.more})
+            longest = std::max(longest, strokeTextLength(word, 1));
     nameFigure_ = longest > 0 ? std::min(kNameFigure, kTile / (longest + 2 * kNameMargin)) : 0;
 }
 
@@ -201,25 +202,29 @@ void CueShapes::addTile(const Board& board, const glm::vec3& middle, const Cue& 
     const bool above = glm::dot(middle - board.origin, board.up) > board.cell;
     const glm::vec3 place = middle + board.up * (above ? 0.5F * edge : -0.5F * edge);
     const glm::vec3 end = place + board.right * (0.5F * edge);
-    labels_[labelCount_++] = {cue.kind, glm::vec3(toWorld_ * glm::vec4(place, 1)),
-                              glm::vec3(toWorld_ * glm::vec4(end, 1)), above, opacity};
+    labels_[labelCount_++] = {
+        cue.kind, glm::vec3(toWorld_ * glm::vec4(place, 1)),          glm::vec3(toWorld_ * glm::vec4(end, 1)), above,
+        opacity,  cue.zone == BandZone::beyond ? cue.correction() : 0};
     add(SolidShape::box,
         placed(middle - board.toEye * (2 * kLayer * board.cell), board.right * edge, board.up * edge,
                board.toEye * (kLayer * board.cell)),
         kGround, kGroundOpacity * opacity);
-    addName(board, names_[static_cast<size_t>(cue.kind)], place, above, opacity);
+    addName(board, labels_[labelCount_ - 1], place);
 }
 
-/// Adds a field's name beyond the middle of its outer edge.
-void CueShapes::addName(const Board& board, std::string_view name, const glm::vec3& edge, bool above, double opacity) {
-    if (name.empty()) return;
+/// Adds a field's name, or what the hand has to do, beyond the middle of its outer edge.
+void CueShapes::addName(const Board& board, const CueLabel& label, const glm::vec3& edge) {
+    const CueWords& words = names_[static_cast<size_t>(label.kind)];
+    const std::string_view word = words.shown(label.correction);
+    if (word.empty()) return;
     const TextPlane plane{edge, board.right, board.up, board.toEye, nameFigure_ * board.cell};
-    const float width = kTile / nameFigure_, length = strokeTextLength(name, 1);
-    const float low = above ? 0 : -kMarkerTextLine;
-    const auto cover = static_cast<float>(opacity);
+    const float width = kTile / nameFigure_, length = strokeTextLength(word, 1);
+    const float low = label.above ? 0 : -kMarkerTextLine;
+    const auto cover = static_cast<float>(label.opacity);
     MarkerText::addGround(markers_, plane, {0, low + kMarkerTextLine / 2}, {width, kMarkerTextLine},
                           {kGround, static_cast<float>(kGroundOpacity) * cover}, toWorld_);
-    text_.add(markers_, name, plane, {-length / 2, low + kNameMargin}, {kNameColour, cover}, toWorld_);
+    text_.add(markers_, word, plane, {-length / 2, low + kNameMargin},
+              {word == words.name ? kNameColour : kBeyond, cover}, toWorld_);
 }
 
 /// Adds the ground of a bar, the inner band on it, the line of the ideal and the mark; `along` is a unit vector.

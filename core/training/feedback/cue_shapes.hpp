@@ -55,10 +55,24 @@ struct CueLabel {
     glm::vec3 end{0};   ///< right end of that edge
     bool above = false; ///< the edge is the upper one
     double opacity = 1; ///< of the cue
+    int correction = 0; ///< beyond the band: direction in which the value has to go; else 0
 };
 
-/// Names of the board's fields, in the order of CueKind; an empty one is not drawn.
-using CueNames = std::array<std::string_view, kCueKinds.size()>;
+/// Words at a field of the board; empty ones are not drawn.
+struct CueWords {
+    std::string_view name;
+    std::string_view less = {}; ///< in place of the name beyond the band, where the value has to become less
+    std::string_view more = {}; ///< likewise, where it has to become more
+
+    /// Returns the word for a correction as in CueLabel.
+    std::string_view shown(int correction) const {
+        const std::string_view wanted = correction < 0 ? less : correction > 0 ? more : name;
+        return wanted.empty() ? name : wanted;
+    }
+};
+
+/// Words of the board's fields, in the order of CueKind.
+using CueNames = std::array<CueWords, kCueKinds.size()>;
 
 /// True if `point`, seen from `eye`, hides a part of the disc around `centre` with unit normal `normal`.
 bool coversDisc(const glm::vec3& eye, const glm::vec3& point, const glm::vec3& centre, const glm::vec3& normal,
@@ -124,7 +138,7 @@ class CueShapes {
     Board boardFor(const CuePose& pose, const SeamFrame& frame, const glm::vec3& pool, const CueEye& eye,
                    std::span<const WorkpieceBlock> blocks);
     void addTile(const Board& board, const glm::vec3& middle, const Cue& cue, double opacity);
-    void addName(const Board& board, std::string_view name, const glm::vec3& edge, bool above, double opacity);
+    void addName(const Board& board, const CueLabel& label, const glm::vec3& edge);
     void addBar(const Board& board, const Cue& cue, const glm::vec3& middle, const glm::vec3& along);
     void addAngles(const Board& board, const CueList& cues, const SeamFrame& frame, int direction);
     void addArcSign(const Board& board, const Cue& cue, const glm::vec3& away);

@@ -67,7 +67,8 @@ std::vector<glm::vec3> pointsOf(const Marker& marker) {
     return points;
 }
 
-constexpr CueNames kNames{"speed", "angles", "distance", "aim", "", ""};
+constexpr CueNames kNames{
+    {{"speed", "slower", "faster"}, {"angles"}, {"distance", "nearer", "farther"}, {"aim"}, {}, {}}};
 
 struct Stage {
     explicit Stage(WorkpieceKind kind) : workpiece(workpieceOf(kind)), seam(seamOf(workpiece)) {
