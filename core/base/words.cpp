@@ -213,10 +213,7 @@ std::string_view phraseOr(std::string_view key, std::string_view english) {
 }
 
 const std::string& phraseOf(std::string_view group, std::string_view name) {
-    std::string key(group);
-    key += '.';
-    key += name;
-    return phrase(key);
+    return phrase(ShortText{group, ".", name});
 }
 
 PhraseNumber::PhraseNumber(double value, int digits, bool sign) {

@@ -155,6 +155,25 @@ TEST_CASE("no corner of the board is in the table or behind the hand, seen from 
     CHECK(cornersHidden(true) == 0);
 }
 
+TEST_CASE("a field's word is its name, and beyond its band what the hand has to do", "[training]") {
+    const Stage stage(WorkpieceKind::Plate);
+    const CueEye eye = eyeAt(stage.pool, 0, 40, 0.3F);
+    CueShapes shapes;
+    shapes.setNames(kNames);
+    const auto wordOf = [&](CueKind kind, const CueList& cues) {
+        shapes.build(cues, stage.seam, stage.pose, eye, stage.blocks, glm::mat4(1));
+        for (const CueLabel& label : shapes.labels())
+            if (label.kind == kind) return kNames[static_cast<size_t>(kind)].shown(label.correction);
+        return std::string_view();
+    };
+    CHECK(wordOf(CueKind::speed, allCues(1, 0)) == "speed");
+    CHECK(wordOf(CueKind::speed, allCues(1)) == "slower");
+    CHECK(wordOf(CueKind::speed, allCues(-1)) == "faster");
+    CHECK(wordOf(CueKind::distance, allCues(1)) == "nearer");
+    CHECK(wordOf(CueKind::distance, allCues(-1)) == "farther");
+    CHECK(wordOf(CueKind::aim, allCues(1)) == "aim"); // a word would need the side
+}
+
 TEST_CASE("the test of covering tells what lies between the eye and the disc", "[training]") {
     const glm::vec3 eye(0, 0.1F, 0.1F), centre(0), up(0, 1, 0);
     CHECK(coversDisc(eye, {0, 0.05F, 0.05F}, centre, up, 8e-3F));
