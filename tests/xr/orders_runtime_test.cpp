@@ -101,7 +101,7 @@ class Wearer {
         size_t count = 0;
         while (count < given.size() && words >> given[count])
             ++count;
-        takeTorch();
+        takeLesson();
         return (count == 4 && movesTorch(what, given)) || (count < 4 && looks(what, given, count)) ||
                (count < 4 && acts(what, given, count));
     }
@@ -116,9 +116,13 @@ class Wearer {
     }
 
   private:
-    /// Takes the torch of the lesson into the hand: an electrode is longer than a nozzle.
-    void takeTorch() {
-        const json machine = trainer_.now()["parameters"].value("simulation", json::object());
+    /// Takes the torch of the lesson into the hand, and its plate's thickness: an electrode is longer than a nozzle.
+    void takeLesson() {
+        const json parameters = trainer_.now()["parameters"];
+        const json workpiece = parameters.value("start", json::object());
+        if (workpiece.contains("thickness_mm"))
+            trainee_.bottom = -kMm * std::stof(workpiece["thickness_mm"].get<std::string>());
+        const json machine = parameters.value("simulation", json::object());
         if (machine.contains("electrode")) return trainee_.take(Smaw::kName);
         if (machine.contains("wire_feed_m_min")) return trainee_.take(Gmaw::kName);
         if (machine.contains("current")) trainee_.take(Gtaw::kName);
