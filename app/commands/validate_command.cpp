@@ -172,7 +172,7 @@ std::string faultText(const VerdictItem& item) {
     if (item.limit)
         text += (item.kind == LimitKind::atLeast ? ", at least " : ", at most ") +
                 formatNumber(std::round(*item.limit * 100) / 100) + " " + std::string(item.unit);
-    if (item.place) text += ", at " + formatNumber(std::round(*item.place * 1e3)) + " mm of the seam";
+    if (item.place) text += ", at " + formatNumber(std::round(*item.place * 1e3) + 0.0) + " mm of the seam";
     return text;
 }
 

@@ -73,10 +73,11 @@ HeadsetMenuAnswer HeadsetMenu::draw(const xr::Panel& panel, const PointerOnPanel
         if (another) ImGui::SetScrollY(0);
         if (content.home.open) return homePart(context, session, content);
         lessonPart(context, session, content);
+        const bool asks = session.question().asked() || (content.question != nullptr && content.question->asked());
         const bool judged = session.attempt().judged().has_value(); // then its buttons come first
-        if (!judged) legendPart(context, session, content);
+        if (!judged && !asks) legendPart(context, session, content);
         pagePart(context, session, content);
-        if (judged) legendPart(context, session, content);
+        if (judged && !asks) legendPart(context, session, content);
         if (content.dimmed)
             ui::fillRounded(*ImGui::GetForegroundDrawList(), {0, 0}, ImGui::GetIO().DisplaySize, IM_COL32(0, 0, 0, 120),
                             0);

@@ -116,12 +116,13 @@ class Wearer {
     }
 
   private:
-    /// Takes the torch of the lesson into the hand, and its plate's thickness: an electrode is longer than a nozzle.
+    /// Takes the torch of the lesson into the hand, and the height of its plate over the table: an electrode is longer
+    /// than a nozzle.
     void takeLesson() {
         const json parameters = trainer_.now()["parameters"];
         const json workpiece = parameters.value("start", json::object());
-        if (workpiece.contains("thickness_mm"))
-            trainee_.bottom = -kMm * std::stof(workpiece["thickness_mm"].get<std::string>());
+        const auto size = [&](const char* key) { return std::stof(workpiece[key].get<std::string>()) * kMm; };
+        if (workpiece.contains("thickness_mm")) trainee_.bottom = -size("thickness_mm") - size("room_below_mm");
         const json machine = parameters.value("simulation", json::object());
         if (machine.contains("electrode")) return trainee_.take(Smaw::kName);
         if (machine.contains("wire_feed_m_min")) return trainee_.take(Gmaw::kName);
@@ -269,7 +270,6 @@ TEST_CASE("somebody wears the headset through a file of orders", "[by_hand][orde
     handGeometry();
     Trainee trainee;
     trainee.zoom = 1;
-    trainee.bottom = -6 * kMm; // usual for the lessons' plates
     TrainerProcess trainer(runFolder() / "orders", {"--headset"}, "resolution_scale = 1\nsamples = 2\n", {},
                            "[sound]\ncaptions = true\n");
     REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["state"] == "running"; }));

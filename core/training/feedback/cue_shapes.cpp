@@ -162,7 +162,8 @@ int CueShapes::badness(const Board& board, const CuePose& pose, const glm::vec3&
                        std::span<const WorkpieceBlock> blocks, int enough) const {
     constexpr int kHidden = 4, kOutside = 2, kAtTorch = 1;
     int sum = 0;
-    for (const auto& [column, row] : {std::pair(0.0F, 0.0F), {2.0F, 0.0F}, {1.0F, 1.0F}, {0.0F, 2.0F}, {2.0F, 2.0F}}) {
+    const float low = -kMarkerTextLine * nameFigure_, high = 2 - low; // with the names
+    for (const auto& [column, row] : {std::pair(0.0F, low), {2.0F, low}, {1.0F, 1.0F}, {0.0F, high}, {2.0F, high}}) {
         const glm::vec3 point = board.field(column, row);
         if (besideTorch(pool, pose.axis, eye.position, point)) sum += kAtTorch;
         if (eye.toClip && outside(*eye.toClip * glm::vec4(point, 1))) sum += kOutside;

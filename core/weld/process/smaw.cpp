@@ -173,7 +173,7 @@ NoArc Smaw::whyNot(const TorchSample& torch, double length, double seconds) {
     touched_ = false;
     if (!std::isfinite(length)) {
         live_ = false;
-        return lit ? NoArc::metalLeft : wentOut(noArc_) ? noArc_ : NoArc::noMetal;
+        return lit ? NoArc::metalLeft : wentOut(noArc_) && noArc_ != NoArc::stuck ? noArc_ : NoArc::noMetal;
     }
     if (lit && length <= smawLongestArc(settings_.electrode, static_cast<double>(settings_.current)))
         return NoArc::burns;

@@ -130,6 +130,7 @@ TEST_CASE("no marker hides a part of the pool's disc from a camera or from eithe
 }
 
 TEST_CASE("no corner of the board is in the table or behind the hand, seen from half a metre", "[training]") {
+    const bool named = GENERATE(false, true);
     Stage stage(WorkpieceKind::Plate);
     const float table = makeWorkpiece(stage.workpiece).floorHeight;
     // An electrode holder ahead of the pool, whose handle goes off to the right and away from the person.
@@ -139,6 +140,7 @@ TEST_CASE("no corner of the board is in the table or behind the hand, seen from 
         {.shape = SolidShape::cylinder, .toWorld = alongLine(neck, neck + glm::vec3(0.15F, 0.1F, -0.02F), 0.03F)}};
     const auto cornersHidden = [&](bool told) {
         CueShapes shapes;
+        if (named) shapes.setNames(kNames);
         CueEye eye = eyeAt(stage.pool, 0, 48, 0.54F);
         if (told) {
             eye.table = glm::vec4(0, 1, 0, table);

@@ -91,6 +91,10 @@ TEST_CASE("a stick that touches for 0.3 s sticks until it is twisted or torn off
     CHECK(stick.at(2).noArc == NoArc::tooFar);  // and has to touch again
     stick.strike();
     CHECK(stick.forSeconds(0.35, -1).noArc == NoArc::stuck);
+    CHECK(stick.at(kNowhere).noArc == NoArc::noMetal); // torn off over the edge
+    CHECK(stick.at(5).noArc == NoArc::tooFar);
+    stick.strike();
+    CHECK(stick.forSeconds(0.35, -1).noArc == NoArc::stuck);
     stick.torch.trigger = 0; // the holder releases the electrode
     CHECK(stick.at(3).noArc == NoArc::released);
     stick.torch.trigger = 1;
