@@ -121,8 +121,8 @@ class Wearer {
     void takeLesson() {
         const json parameters = trainer_.now()["parameters"];
         const json workpiece = parameters.value("start", json::object());
-        const auto size = [&](const char* key) { return std::stof(workpiece[key].get<std::string>()) * kMm; };
-        if (workpiece.contains("thickness_mm")) trainee_.bottom = -size("thickness_mm") - size("room_below_mm");
+        const auto size = [&](const char* key) { return std::stof(workpiece.value(key, "0")) * kMm; };
+        trainee_.bottom = -size("thickness_mm") - size("room_below_mm");
         const json machine = parameters.value("simulation", json::object());
         if (machine.contains("electrode")) return trainee_.take(Smaw::kName);
         if (machine.contains("wire_feed_m_min")) return trainee_.take(Gmaw::kName);
