@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace meltpool {
 
@@ -22,6 +23,16 @@ int demandedDirection(const TechniqueBands* bands) {
     return bands->direction == TravelDirection::forward ? 1 : -1;
 }
 
+/// Returns the distance (m) where technique knows none, or NaN. From a contact tip that was pushed into the metal no
+/// surface is ahead: it is too near by its depth. An arc that does not burn has no length: the height over the seam
+/// counts until the hand is low enough to strike.
+double distanceByHeight(double height, bool fromTip, const TechniqueBands& bands) {
+    const TechniqueBand* band = bands.find(TechniqueQuantity::distance);
+    const double perSi = quantityInfo(TechniqueQuantity::distance, bands.distance).perSi;
+    const bool counts = fromTip ? height < 0 : band != nullptr && height * perSi > band->ideal;
+    return counts ? height : std::numeric_limits<double>::quiet_NaN();
+}
+
 /// Present values of the hand as cues show them; the travel angle counts along the demanded direction while none is
 /// sensed.
 TechniqueValues valuesOf(const Technique& technique, const TechniqueBands& bands) {
@@ -29,11 +40,10 @@ TechniqueValues valuesOf(const Technique& technique, const TechniqueBands& bands
     const int demanded = demandedDirection(&bands);
     double& angle = values[TechniqueQuantity::travelAngle];
     if (std::isnan(angle) && demanded != 0) angle = demanded * technique.steps().back().lean;
-    // From a contact tip that was pushed into the metal no surface is ahead: it is too near by its depth.
     double& distance = values[TechniqueQuantity::distance];
-    const double height = values[TechniqueQuantity::height];
-    const bool fromTip = technique.settings().distance == DistanceKind::ctwd;
-    if (std::isnan(distance) && fromTip && height < 0) distance = height;
+    if (std::isnan(distance))
+        distance = distanceByHeight(values[TechniqueQuantity::height],
+                                    technique.settings().distance == DistanceKind::ctwd, bands);
     return values;
 }
 

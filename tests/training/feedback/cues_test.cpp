@@ -129,6 +129,36 @@ TEST_CASE("a contact tip that was pushed into the metal is too near by its depth
     CHECK(cuesOf(weldAt(0, hand), bandsOfBead()).find(TechniqueQuantity::distance) == nullptr);
 }
 
+TEST_CASE("before the arc a torch that is higher than the arc is long is too far, and no lower one is wrong",
+          "[training]") {
+    TechniqueBands bands = bandsOfBead();
+    bands.distance = DistanceKind::arcLength;
+    bands.bands[1] = {TechniqueQuantity::distance, 3, 1, 2};
+    TechniqueSettings tungsten;
+    tungsten.distance = DistanceKind::arcLength;
+    const auto distanceCue = [&](double heightMm, bool burns) -> std::optional<Cue> {
+        Hand hand;
+        hand.burns = burns;
+        hand.distanceMm = 3.5;
+        hand.tipHeightMm = heightMm;
+        const Technique held = test::weldWith(
+            test::plateSeam(), 1, [&](double) { return hand; }, tungsten);
+        ArcState arc;
+        arc.action = burns ? ArcAction::burning : ArcAction::out;
+        const CueList cues = liveCues(held, arc, &bands, CueSet::all(), {});
+        const Cue* cue = cues.find(TechniqueQuantity::distance);
+        return cue == nullptr ? std::nullopt : std::optional(*cue);
+    };
+    const auto high = distanceCue(12, false);
+    REQUIRE(high);
+    CHECK(high->offset == Approx(9).margin(0.02));
+    CHECK(high->zone == BandZone::beyond);
+    CHECK(high->correction() == -1);
+    CHECK_FALSE(distanceCue(2, false)); // the way down to the strike
+    REQUIRE(distanceCue(12, true));
+    CHECK(distanceCue(12, true)->offset == Approx(0.5).margin(0.02)); // the arc's own length
+}
+
 TEST_CASE("travel against the demanded direction is a speed below zero", "[training]") {
     const Technique technique = weldAt(5, {});
     const CueList cues = cuesOf(technique, bandsOfBead(TravelDirection::backward));
