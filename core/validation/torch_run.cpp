@@ -55,6 +55,7 @@ void setWire(const ValidationCase& from, GmawSettings& gmaw) {
         feed.gasVoltage = gas->arcVoltage;
         gmaw.gas = static_cast<int>(gas - shieldingGases().data());
     }
+    if (const auto kind = findShortCircuits(from.word("short_circuits"))) gmaw.shortCircuits = static_cast<int>(*kind);
     if (feed.voltage <= 0 && from.number("power_w") > 0 && from.number("current_a") > 0)
         feed.voltage = from.number("power_w") / from.number("current_a");
     if (feed.speed <= 0) feed.speed = feedAt(from, feed, from.number("current_a"));

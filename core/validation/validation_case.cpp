@@ -304,12 +304,15 @@ void checkRosenthal(TomlTable& table, const ValidationCase& result) {
     }
 }
 
-/// Refuses an unknown gas, and keys that a process has no use for.
+/// Refuses an unknown gas or kind of short circuits, and keys that a process has no use for.
 void checkProcess(TomlTable& table, const ValidationCase& result) {
     const std::string& gas = result.word("gas");
     const bool wireless = !result.process.empty() && result.process != Gmaw::kName;
     if (!gas.empty() && (wireless || findShieldingGas(gas) == nullptr))
         table.fail("gas", "is " + quote(gas) + "; expected ar_co2, co2, ar_o2, ar or none, and a gmaw arc");
+    const std::string& shorts = result.word("short_circuits");
+    if (!shorts.empty() && (wireless || !findShortCircuits(shorts)))
+        table.fail("short_circuits", "is " + quote(shorts) + "; expected ordinary or controlled, and a gmaw arc");
     if (wireless)
         for (const char* key : {"wire_diameter_mm", "wire_feed_m_min", "voltage"})
             if (result.number(key) > 0)

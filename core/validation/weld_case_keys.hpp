@@ -33,6 +33,8 @@ inline constexpr std::array kArc{
     CaseKey{"wire_diameter_mm", number, 0, 10, 0.0, "0: no wire, a tungsten electrode"},
     CaseKey{"wire_feed_m_min", number, 0, 100, 0.0, "of the wire"},
     CaseKey{"gas", word, 0, 0, 0.0, "shielding gas of a wire; the mix of argon and carbon dioxide without it"},
+    CaseKey{"short_circuits", word, 0, 0, 0.0,
+            "of a wire: ordinary, or controlled by the machine; ordinary without it"},
     CaseKey{"ctwd_mm", number, 1, 60, 15.0, "contact tip to work distance, with wire"},
     CaseKey{"arc_length_mm", number, 0.3, 30, 3.0, "from the tungsten or covered electrode"},
 };

@@ -105,6 +105,10 @@ TEST_CASE("A row that does not fit the case is refused", "[validation][chart]") 
                test::containsText("expected 0.9 to 1.2"));
     CHECK_THAT(faultOf("tee", "row = \"OTC-HF7\"\ngas = \"air\"\n"),
                test::containsText("gas: is 'air'; expected ar_co2"));
+    CHECK_THAT(faultOf("tee", "row = \"OTC-HF7\"\nshort_circuits = \"soft\"\n"),
+               test::containsText("short_circuits: is 'soft'; expected ordinary or controlled"));
+    CHECK_THAT(faultOf("tee", "row = \"AP-Tst3.2\"\nspeed_mm_s = 1.2\nshort_circuits = \"controlled\"\n"),
+               test::containsText("and a gmaw arc"));
     CHECK_THAT(faultOf("butt", "row = \"OTC-BC5\"\nwire_diameter_mm = 1.2\nposition = \"1F\"\n"),
                test::containsText("position: is '1F'; expected one of"));
 }

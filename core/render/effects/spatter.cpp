@@ -51,7 +51,8 @@ void Spatter::step(const ArcEffectsStep& step) {
     meltBeads(step);
     const double begin = step.time - step.seconds;
     if (step.arc.action == ArcAction::striking) burst(step, begin, kStrikeDrops);
-    for (const Reignition& each : step.reignitions) {
+    const auto reignitions = tools.controlledShorts ? std::span<const Reignition>() : step.reignitions;
+    for (const Reignition& each : reignitions) {
         const float share = std::clamp(each.power / kFullPower, 0.0F, 1.0F);
         const float more = (kMostOfBurst - kLeastOfBurst) * share * countedChance(step.number, draws_++);
         burst(step, begin + static_cast<double>(each.at), static_cast<int>(kLeastOfBurst + more));

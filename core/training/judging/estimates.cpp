@@ -49,12 +49,22 @@ Rule tooLong(double most, std::string_view name) {
     return {name, [most](const SeamMillimetre& mm) { return mm.values[distance] > most; }, "arc", most * kPerMetre};
 }
 
-/// `gasVoltage`: see ShieldingGas::arcVoltage.
+/// Returns the voltage above the gas's balance, V. `gasVoltage`: see ShieldingGas::arcVoltage.
+double excessVoltage(const SeamMillimetre& mm, double gasVoltage) {
+    return mm.voltage - gasVoltage - (kLoadLineVoltage + kLoadLineSlope * mm.current);
+}
+
 Rule outOfBalance(double gasVoltage) {
     return {"out_of_balance", [gasVoltage](const SeamMillimetre& mm) {
-                const double excess = mm.voltage - gasVoltage - (kLoadLineVoltage + kLoadLineSlope * mm.current);
+                const double excess = excessVoltage(mm, gasVoltage);
                 return excess > kBalanceAbove || excess < -kBalanceBelow;
             }};
+}
+
+/// The rule for a machine that controls its short circuits: a low voltage does no harm.
+Rule overBalance(double gasVoltage) {
+    return {"over_balance",
+            [gasVoltage](const SeamMillimetre& mm) { return excessVoltage(mm, gasVoltage) > kBalanceAbove; }};
 }
 
 /// An arc that stays open in a gas in which no wire sprays.
@@ -93,9 +103,9 @@ std::vector<Rule> poreRules(const ProcessTraits& traits, const Equipment& tools)
 
 std::vector<Rule> spatterRules(const ProcessTraits& traits, const Equipment& tools) {
     const double core = tools.electrode, gasVoltage = tools.gas == nullptr ? 0 : tools.gas->arcVoltage;
-    if (traits.feedsWire && tools.gas != nullptr && !tools.gas->sprayCurrent)
-        return {outOfBalance(gasVoltage), largeDrops(gasVoltage)};
-    if (traits.feedsWire) return {outOfBalance(gasVoltage)};
+    const Rule balance = tools.controlledShorts ? overBalance(gasVoltage) : outOfBalance(gasVoltage);
+    if (traits.feedsWire && tools.gas != nullptr && !tools.gas->sprayCurrent) return {balance, largeDrops(gasVoltage)};
+    if (traits.feedsWire) return {balance};
     if (traits.shielding != Shielding::slag) return {};
     return {tooLong(kSpatteringArc * core, "arc_spatters")};
 }

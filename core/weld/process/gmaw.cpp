@@ -14,6 +14,7 @@ namespace meltpool {
 
 namespace {
 
+constexpr std::array<std::string_view, 2> kShortCircuits{"ordinary", "controlled"}; // as ShortCircuitKind
 constexpr std::array<std::string_view, 3> kInductances{"low", "medium", "high"};
 // Factors on the rate of the shorts; no source: chosen.
 constexpr std::array<float, 3> kInductanceRates{1.4F, 1.0F, 0.7F};
@@ -26,9 +27,9 @@ constexpr float kLookBeyond = 0.03F; // m beyond the wire's end in which metal i
 constexpr float kStraightWire = 0.06F;
 /// Shorts a second of a wire that just touches; films show 20 to 200.
 constexpr float kMostShorts = 120;
-/// m of arc over which the shorts become fewer; no source: chosen.
-constexpr float kShortingLength = 1e-3F;
-/// Times kDipArc beyond which no short circuit is left: exp(-6.25).
+/// Shorts a second of a machine that controls them; such machines are said to make 40 to 130. No document was checked.
+constexpr float kControlledShorts = 70;
+/// Length of the arc, over the drop's diameter, beyond which no short circuit is left: exp(-6.25).
 constexpr double kLongestDip = 2.5;
 /// 1/s for an open arc that does not spray, see Equipment::spatter.
 constexpr double kOpenSpatter = 45;
@@ -43,6 +44,10 @@ constexpr std::array kRetired{
     RetiredSetting{"drop_temperature_c", "the drops' temperature is a constant of the process"},
     RetiredSetting{"drop_speed", "the drops' speed is a constant of the process"},
 };
+
+bool isControlled(const GmawSettings& settings) {
+    return static_cast<ShortCircuitKind>(settings.shortCircuits) == ShortCircuitKind::controlled;
+}
 
 const ShieldingGas& gasOf(const GmawSettings& settings) {
     return shieldingGas(static_cast<GasKind>(settings.gas));
@@ -60,6 +65,12 @@ FreezingRipples ripplesOf(const GmawSettings& settings) {
 }
 
 } // namespace
+
+std::optional<ShortCircuitKind> findShortCircuits(std::string_view name) {
+    const auto found = std::ranges::find(kShortCircuits, name);
+    if (found == kShortCircuits.end()) return std::nullopt;
+    return static_cast<ShortCircuitKind>(found - kShortCircuits.begin());
+}
 
 double sprayShare(double current, double diameterMm, const ShieldingGas& gas) {
     if (!gas.sprayCurrent) return 0;
@@ -90,6 +101,7 @@ Equipment Gmaw::equipment(const GmawSettings& settings) {
             .wireSpeed = static_cast<double>(settings.wireFeedMPerMin) * (1.0 / 60),
             .heldBehind = static_cast<double>(settings.stickOutMm) * 1e-3,
             .spatter = kOpenSpatter * gasOf(settings).spatter,
+            .controlledShorts = isControlled(settings),
             .ripples = ripplesOf(settings),
             .displays = {{{settings.voltage, "v", 1}, {settings.wireFeedMPerMin, "m/min", 1}}},
             .gas = &gasOf(settings),
@@ -101,6 +113,8 @@ ParameterList describe(GmawSettings& s) {
         {"voltage", "Voltage", "V", &s.voltage, 5, 60, "A higher voltage makes the arc longer and the bead wider."},
         {"wire_feed_m_min", "Wire feed", "m/min", &s.wireFeedMPerMin, 0, 30, "More wire takes more current."},
         {"wire_diameter_mm", "Wire diameter", "mm", &s.wireDiameterMm, 0.5, 2.4, "Thicker wire takes more current."},
+        {"short_circuits", "Short circuits", "", &s.shortCircuits, 0, 1,
+         "Controlled: the machine opens each one without spatter, also at a low voltage.", kShortCircuits},
         {"inductance", "Inductance", "", &s.inductance, 0, 2, "A higher value makes fewer and softer shorts.",
          kInductances},
         {"stick_out_mm", "Stick-out", "mm", &s.stickOutMm, 3, 40,
@@ -134,9 +148,12 @@ void Gmaw::transfer(gl::StateArchive& archive) {
 
 WireFeed Gmaw::feed() const {
     const double heat = metal_.table.liquidusEnthalpy() - metal_.table.enthalpyAt(metal_.ambient);
-    return {static_cast<double>(settings_.voltage), static_cast<double>(settings_.wireFeedMPerMin * kMetresPerMinute),
+    return {static_cast<double>(settings_.voltage),
+            static_cast<double>(settings_.wireFeedMPerMin * kMetresPerMinute),
             WireMelting::steel(static_cast<double>(settings_.wireDiameterMm * kMm)),
-            wireArea() * metal_.density * heat / kGmawEfficiency, gasOf(settings_).arcVoltage};
+            wireArea() * metal_.density * heat / kGmawEfficiency,
+            gasOf(settings_).arcVoltage,
+            controlled()};
 }
 
 /// Returns the stirring at the current that melts the wire as fast as it is fed.
@@ -150,13 +167,18 @@ double Gmaw::settledCurrent() const {
     return fed.melting.current(fed.speed, static_cast<double>(settings_.stickOutMm * kMm));
 }
 
-/// Returns the share of short circuits that are left at the present settings, 0 to 1: none with a long arc and in
-/// spray.
+/// Returns the share of short circuits that an arc of `length` (m) and `current` (A) leaves, 0 to 1: exp(-1) of them if
+/// it is as long as the drop that hangs on the wire is thick, none if it is much longer, or sprays.
+double Gmaw::shortsLeft(double length, double current) const {
+    const auto wire = static_cast<double>(settings_.wireDiameterMm);
+    const double drops = length / (kGlobularDrop * wire * 1e-3);
+    return drops > kLongestDip ? 0 : std::exp(-drops * drops) * (1 - sprayShare(current, wire, gasOf(settings_)));
+}
+
+/// Returns the share of short circuits that are left at the present settings.
 double Gmaw::dipping() const {
-    const double current = settledCurrent(), length = openArcLength(feed(), current) / kDipArc;
-    if (length > kLongestDip) return 0;
-    return std::exp(-length * length) *
-           (1 - sprayShare(current, static_cast<double>(settings_.wireDiameterMm), gasOf(settings_)));
+    const double current = settledCurrent();
+    return shortsLeft(openArcLength(feed(), current), current);
 }
 
 double Gmaw::dropTemperature() const {
@@ -166,9 +188,19 @@ double Gmaw::dropTemperature() const {
 EdgeArrest Gmaw::edgeArrest() const {
     const EdgeArrest cold = Process::edgeArrest();
     const double time = arcTime(feed(), settledCurrent());
-    const double ordinary = std::clamp((time - kColdDip) / (kOrdinaryDip - kColdDip), 0.0, 1.0) * dipping();
-    return {std::lerp(cold.coldAngle, kDipAngle * std::numbers::pi / 180, ordinary),
-            std::lerp(cold.coldShare, kDipColdShare, ordinary), std::lerp(cold.warmShare, kDipWarmShare, ordinary)};
+    const double full = std::clamp((time - kColdArcTime) / (kFullArcTime - kColdArcTime), 0.0, 1.0) * dipping();
+    return {std::lerp(cold.coldAngle, kStefanAngle * std::numbers::pi / 180, full),
+            std::lerp(cold.coldShare, kStefanColdShare, full), std::lerp(cold.warmShare, kStefanWarmShare, full)};
+}
+
+bool Gmaw::controlled() const {
+    return isControlled(settings_);
+}
+
+/// Returns the shorts (1/s) of a wire that just touches.
+float Gmaw::mostShorts() const {
+    if (controlled()) return kControlledShorts;
+    return kMostShorts * kInductanceRates[static_cast<size_t>(settings_.inductance)];
 }
 
 double Gmaw::wireArea() const {
@@ -211,9 +243,8 @@ void Gmaw::takeOver() {
     arc_.voltage = static_cast<float>(wire_.voltage());
     arc_.stretch = static_cast<float>(wire_.stretch());
     arc_.share = arc_.burns() ? 1.0F : 0.0F;
-    if (arc_.burns())
-        arc_.shorts = kMostShorts * kInductanceRates[static_cast<size_t>(settings_.inductance)] *
-                      std::exp(-arc_.length / kShortingLength);
+    const double left = arc_.action == ArcAction::shorting ? 1 : shortsLeft(wire_.length(), wire_.current());
+    if (arc_.burns()) arc_.shorts = mostShorts() * static_cast<float>(left);
 }
 
 /// Efficiency times U I goes into the metal: a part with the drops, the rest onto the surface. In spray the arc

@@ -4,9 +4,22 @@
 #include "core/weld/process/process.hpp"
 #include "core/weld/process/wire_arc.hpp"
 
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
 namespace meltpool {
 
 struct ShieldingGas;
+
+/// How the machine ends the wire's short circuits.
+enum class ShortCircuitKind : std::uint8_t {
+    ordinary,   ///< the current rises until the bridge bursts
+    controlled, ///< the machine cuts the current, or draws the wire back, before the bridge opens (STT, CMT)
+};
+
+/// Returns the kind of this name, "ordinary" or "controlled"; none for another name.
+std::optional<ShortCircuitKind> findShortCircuits(std::string_view name);
 
 /// Settings on the machine's panel, and the wire in it. The current is not set: it follows.
 struct GmawSettings {
@@ -18,6 +31,7 @@ struct GmawSettings {
     float stickOutMm = 12;
     int gas = 0; ///< GasKind
     float gasFlowLMin = 14;
+    int shortCircuits = 0; ///< ShortCircuitKind
 };
 ParameterList describe(GmawSettings& settings);
 
@@ -53,7 +67,10 @@ class Gmaw : public Process {
   private:
     WireFeed feed() const;
     double settledCurrent() const;
+    double shortsLeft(double length, double current) const;
     double dipping() const;
+    bool controlled() const;
+    float mostShorts() const;
     double wireArea() const;
     void takeOver();
     void transferHeat(const TorchSample& torch, double seconds);

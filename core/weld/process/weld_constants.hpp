@@ -39,6 +39,9 @@ inline constexpr double kLeastArcCurrent = 20;
 /// Share of the arc's own voltage, on average, below which the wire stays in the metal. No source: chosen; the logged
 /// beads burned at 0.63 and more.
 inline constexpr double kStubShare = 0.6;
+/// A that flow when a machine with controlled short circuits opens one. A maker's data sheet of such a machine: 45
+/// to 50.
+inline constexpr double kControlledBreakCurrent = 50;
 /// s in which a dipping wire follows the metal that rises or falls under it: some of its 20 to 200 short circuits a
 /// second. No source: chosen.
 inline constexpr double kDipTime = 0.05;
@@ -58,6 +61,9 @@ inline constexpr double kDropTemperature = 2473.15;
 /// K, temperature of drops that a dipping wire leaves in the pool: measurements are between 1900 and 2300 K; no
 /// document was checked. Fitted on D.
 inline constexpr double kDipDropTemperature = 2100;
+/// Wire diameters, drop of a wire that does not spray, which dips into the pool if the arc is shorter. High-speed films
+/// of globular transfer.
+inline constexpr double kGlobularDrop = 2;
 /// m/s of drops that leave the wire in dip and globular transfer. High-speed films of both.
 inline constexpr float kDropSpeed = 0.3F;
 /// m/s of drops that leave the wire in spray, driven by the plasma jet. No source: chosen. Trade knowledge, 1 to 3 m/s;
@@ -163,24 +169,22 @@ inline constexpr double kColdShare = 0.65;
 /// contact freezes falls with the metal's warmth. Fitted with kColdShare.
 inline constexpr double kWarmShare = 0.85;
 
-// In ordinary dip transfer the arc burns between short circuits for nearly all of the time, warms the plates before the
-// pool's edge, and each short circuit shakes the pool, so that the edge runs on farther before it freezes. (Drops that
-// are driven spread farther than such that are laid down: Chapuis et al. 2013; no document was checked.) The cold dip
-// transfer of the logged beads, of 0.63 to 0.79 of the arc's own voltage on average, has the constants above.
+// A dipping wire whose arc burns nearly all the time warms the plates before the pool's edge, and each short circuit
+// shakes the pool: its edge runs on farther before it freezes. (Drops that are driven spread farther than such that are
+// laid down: Chapuis et al. 2013; no document was checked.) The less the arc burns between short circuits, the more the
+// constants above hold. An arc that stays open, tungsten arcs and covered electrodes have those.
 
-/// Share of the arc's own voltage, on average, up to which dip transfer is cold. Above all logged beads that dip.
-inline constexpr double kColdDip = 0.8;
-/// Share from which it is ordinary. Charts of dip transfer have 0.89 to 1 in the middle. No source: chosen.
-inline constexpr double kOrdinaryDip = 0.95;
-/// m, length of an arc at which exp(-1) of the short circuits are left: longer than the drop that hangs on the wire, no
-/// drop bridges it. No source: chosen.
-inline constexpr double kDipArc = 1.5e-3;
-/// kColdAngle, kColdShare and kWarmShare of ordinary dip transfer: 30 degrees for each unit of the Stefan number, heat
+/// Share of the time, see arcTime(), up to which a dipping wire's edge freezes on cold metal as above. Above all logged
+/// beads that dip, 0.63 to 0.79.
+inline constexpr double kColdArcTime = 0.8;
+/// Share from which the edge runs on. Charts of dip transfer have 0.89 to 1 in the middle. No source: chosen.
+inline constexpr double kFullArcTime = 0.95;
+/// kColdAngle, kColdShare and kWarmShare with an arc of that share: 30 degrees for each unit of the Stefan number, heat
 /// capacity times solidus less temperature over latent heat, by which the angle of freezing drops goes (Schiaffino and
 /// Sonin 1997; the factor is fitted on D). Of steel that is 0.08 degrees a kelvin, here from the solidus to 125
 /// degrees.
-inline constexpr double kDipAngle = 125;
-inline constexpr double kDipColdShare = 0.11;
-inline constexpr double kDipWarmShare = 1;
+inline constexpr double kStefanAngle = 125;
+inline constexpr double kStefanColdShare = 0.11;
+inline constexpr double kStefanWarmShare = 1;
 
 } // namespace meltpool

@@ -187,7 +187,8 @@ void WireArc::shortCircuit(const WireFeed& feed, double distance, double seconds
     melted_ = seconds * bearable;
     length_ = stretch_ = 0;
     const double arcShare = (feed.voltage - kWireResistance * current_) / fallVoltage(feed);
-    action_ = bearable < arriving - 1e-9 || arcShare < kStubShare ? ArcAction::stubbed : ArcAction::shorting;
+    const bool stays = !feed.controlledShorts && arcShare < kStubShare;
+    action_ = bearable < arriving - 1e-9 || stays ? ArcAction::stubbed : ArcAction::shorting;
 }
 
 } // namespace meltpool

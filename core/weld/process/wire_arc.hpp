@@ -27,6 +27,8 @@ struct WireFeed {
     WireMelting melting;
     double meltingEnergy = 0; ///< J of electric energy that melt a metre of wire, losses included; 0: unknown
     double gasVoltage = 0;    ///< V more for the arc than kArcFallVoltage, see ShieldingGas::arcVoltage
+    bool controlledShorts =
+        false; ///< the machine opens each short circuit, so that a low voltage lets no wire stay in it
 };
 
 /// One wire on one machine. Between steps it stores the extension and the state of the arc.

@@ -91,6 +91,19 @@ TEST_CASE("each short circuit that ends throws one burst, and the strike one mor
     CHECK(weld.effects.spatter().bursts() == 41);
 }
 
+TEST_CASE("short circuits that the machine controls throw nothing", "[effects]") {
+    ProcessSettings process = gmaw();
+    process.of<Gmaw>().shortCircuits = static_cast<int>(ShortCircuitKind::controlled);
+    Weld weld(process, arcOf(ArcAction::striking));
+    weld.run(1);
+    const auto born = weld.effects.spatter().born();
+    CHECK(born > 0);
+    weld.burn(arcOf(ArcAction::shorting));
+    weld.run(89);
+    CHECK(weld.reignitions == 40);
+    CHECK(weld.effects.spatter().born() == born);
+}
+
 TEST_CASE("a long arc spatters more than a short one, a covered electrode more than a wire, tungsten never",
           "[effects]") {
     const auto bornOf = [](const ProcessSettings& process, const ArcState& arc) {

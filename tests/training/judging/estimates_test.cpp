@@ -162,6 +162,23 @@ TEST_CASE("in carbon dioxide the balance is higher, and an arc that stays open s
     CHECK(spatter(21, 120).value == 0);
 }
 
+TEST_CASE("a machine that controls its short circuits does not spatter at a low voltage", "[verdict]") {
+    ProcessSettings wire = settingsOf<Gmaw>();
+    const auto spatter = [&](double volts) {
+        return of(estimateImperfections(weld(15, 10, volts, 180), wire), "spatter");
+    };
+    CHECK(spatter(15.5).value == 40);
+    wire.of<Gmaw>().shortCircuits = static_cast<int>(ShortCircuitKind::controlled);
+    CHECK(spatter(15.5).value == 0);
+    CHECK_THAT(spatter(15.5).rule, test::containsText("Likely where the voltage is over 5 V above 14 V"));
+    CHECK(spatter(29).value == 40);
+    CHECK_THAT(spatter(29).rule, test::containsText("The voltage was over 5 V above 14 V"));
+    wire.of<Gmaw>().gas = static_cast<int>(GasKind::co2);
+    CHECK(spatter(15.5).value == 0);
+    CHECK_THAT(spatter(15.5).rule, test::containsText("or where the arc stays open"));
+    CHECK_THAT(spatter(31).rule, test::containsText("The arc stayed open on 40 mm"));
+}
+
 TEST_CASE("slag follows from a stick that pushes or travels too slowly", "[verdict]") {
     const ProcessSettings stick = settingsOf<Smaw>();
     const auto pushed = estimateImperfections(weld(3, 5, 24, 115), stick, 3.5 * kMm);

@@ -87,13 +87,15 @@ TEST_CASE("a setting that a process had once is named with its successor") {
 namespace {
 
 /// Returns a GMAW arc over metal 15 mm from the contact tip that has found its length, with its last drops' heat.
-std::unique_ptr<Process> settledGmaw(float voltage, float feedMPerMin) {
+std::unique_ptr<Process> settledGmaw(float voltage, float feedMPerMin,
+                                     ShortCircuitKind shorts = ShortCircuitKind::ordinary) {
     ProcessSettings settings;
     GmawSettings& gmaw = settings.choose<Gmaw>();
     gmaw.voltage = voltage;
     gmaw.wireFeedMPerMin = feedMPerMin;
     gmaw.wireDiameterMm = 1.2F;
     gmaw.stickOutMm = 14;
+    gmaw.shortCircuits = static_cast<int>(shorts);
     auto process = made(settings);
     for (int i = 0; i < 300; ++i)
         process->step(pulled(), metalAt(15), kStep);
@@ -112,23 +114,41 @@ double nextDrop(Process& process) {
 } // namespace
 
 TEST_CASE(
-    "in ordinary dip transfer the pool's edge runs on over colder metal, and not with a cold, long or spraying arc") {
+    "the longer a dipping wire's arc burns, the farther the pool's edge runs on over cold metal, until it stays open") {
     const EdgeArrest cold = settledGmaw(15, 3.6F)->edgeArrest();
     CHECK(cold.coldAngle == Approx(kColdAngle * 3.14159265 / 180));
     CHECK(cold.coldShare == kColdShare);
     CHECK(cold.warmShare == kWarmShare);
     const EdgeArrest dips = settledGmaw(19.6F, 3.6F)->edgeArrest();
-    CHECK(dips.coldShare == Approx(kDipColdShare).margin(0.01));
-    CHECK(dips.warmShare == Approx(kDipWarmShare).margin(0.01));
-    CHECK(dips.coldAngle == Approx(kDipAngle * 3.14159265 / 180).margin(0.02));
+    CHECK(dips.coldShare == Approx(kStefanColdShare).margin(0.01));
+    CHECK(dips.warmShare == Approx(kStefanWarmShare).margin(0.01));
+    CHECK(dips.coldAngle == Approx(kStefanAngle * 3.14159265 / 180).margin(0.02));
     const EdgeArrest between = settledGmaw(17.4F, 3.6F)->edgeArrest();
     CHECK(between.coldShare < kColdShare - 0.01);
-    CHECK(between.coldShare > kDipColdShare + 0.01);
-    for (const auto& [voltage, feed] : {std::pair(26.0F, 3.6F), {28.0F, 11.0F}}) {
+    CHECK(between.coldShare > kStefanColdShare + 0.01);
+    // An arc that stays open: long, and spraying.
+    for (const auto& [voltage, feed] : {std::pair(29.0F, 3.6F), {28.0F, 11.0F}}) {
         const EdgeArrest arc = settledGmaw(voltage, feed)->edgeArrest();
         CHECK(arc.coldShare == Approx(kColdShare).margin(0.001));
         CHECK(arc.warmShare == Approx(kWarmShare).margin(0.001));
     }
+    // In between a longer arc dips more seldom.
+    CHECK(settledGmaw(22, 3.6F)->edgeArrest().coldShare < settledGmaw(24, 3.6F)->edgeArrest().coldShare - 0.01);
+}
+
+TEST_CASE("a machine that controls the wire's short circuits makes them at its own rate, and lets no wire stub") {
+    const auto ordinary = settledGmaw(11, 3.6F), controlled = settledGmaw(11, 3.6F, ShortCircuitKind::controlled);
+    CHECK(ordinary->arc().action == ArcAction::stubbed);
+    CHECK(controlled->arc().action == ArcAction::shorting);
+    CHECK(controlled->arc().shorts == 70);
+    CHECK(settledGmaw(18, 3.6F)->arc().shorts == 120);
+    // The longer the arc, the fewer; a spraying one has none.
+    const float few = settledGmaw(21, 3.6F)->arc().shorts;
+    CHECK(few > 1);
+    CHECK(few < 110);
+    CHECK(settledGmaw(28, 11)->arc().shorts == 0);
+    CHECK(findShortCircuits("controlled") == ShortCircuitKind::controlled);
+    CHECK_FALSE(findShortCircuits("cold"));
 }
 
 TEST_CASE("the drops of a dipping wire are colder than those of an open arc") {

@@ -149,6 +149,11 @@ TEST_CASE("wire that is fed into the air stands out as far as it was fed, and st
 TEST_CASE("too little voltage stubs") {
     CHECK(settled(machine(11), 12 * kMm).action() == ArcAction::stubbed);
     CHECK(settled(machine(16), 12 * kMm).action() == ArcAction::shorting);
+    // A machine that opens each short circuit lets no wire stay in it.
+    WireFeed controlled = machine(11);
+    controlled.controlledShorts = true;
+    CHECK(settled(controlled, 12 * kMm).action() == ArcAction::shorting);
+    CHECK(settled(controlled, 12 * kMm).current() == settled(machine(11), 12 * kMm).current());
     // Wire piles up if the machine's short circuit melts less than the feed.
     const WireFeed feed = machine(20, 1.6, 30);
     WireArc wire(12 * kMm);
@@ -157,6 +162,9 @@ TEST_CASE("too little voltage stubs") {
     CHECK(wire.action() == ArcAction::stubbed);
     CHECK(wire.current() == Approx(kShortCircuitCurrent));
     CHECK(wire.extension() > 12 * kMm);
+    controlled = machine(20, 1.6, 30);
+    controlled.controlledShorts = true;
+    CHECK(settled(controlled, 12 * kMm).action() == ArcAction::stubbed);
 }
 
 TEST_CASE("an open arc burns all of the time, a dipping one the share that its mean voltage leaves it") {

@@ -1,5 +1,7 @@
 #include "core/training/feedback/sound/short_circuits.hpp"
 
+#include "core/weld/process/weld_constants.hpp"
+
 namespace meltpool {
 
 namespace {
@@ -20,10 +22,11 @@ double scatter(std::uint64_t count) {
 
 } // namespace
 
-void ShortCircuits::step(const ArcState& arc, double seconds) {
+void ShortCircuits::step(const ArcState& arc, double seconds, bool controlled) {
     listed_ = 0;
     const auto rate = static_cast<double>(arc.shorts);
     if (rate <= 0 || seconds <= 0 || !ignitesAgain(arc.action)) return;
+    const float current = controlled ? static_cast<float>(kControlledBreakCurrent) : arc.current;
     double left = rate * seconds;
     double passed = 0;
     while (way_ + left >= next_) {
@@ -31,8 +34,8 @@ void ShortCircuits::step(const ArcState& arc, double seconds) {
         left -= next_ - way_;
         way_ = 0;
         ++count_;
-        next_ = 1 + kUnevenness * scatter(count_);
-        if (listed_ < kMost) last_[listed_++] = {static_cast<float>(passed / rate), arc.voltage * arc.current};
+        next_ = controlled ? 1 : 1 + kUnevenness * scatter(count_);
+        if (listed_ < kMost) last_[listed_++] = {static_cast<float>(passed / rate), arc.voltage * current};
     }
     way_ += left;
 }

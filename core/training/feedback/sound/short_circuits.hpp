@@ -28,8 +28,9 @@ class ShortCircuits {
     static constexpr double kUnevenness = 0.3;
 
     void reset() { *this = {}; }
-    /// Takes the state of a step of `seconds`. A wire that strikes or stubs does not ignite again.
-    void step(const ArcState& arc, double seconds);
+    /// Takes the state of a step of `seconds`. A wire that strikes or stubs does not ignite again. `controlled`: the
+    /// machine opens each short circuit; they come evenly, at kControlledBreakCurrent.
+    void step(const ArcState& arc, double seconds, bool controlled = false);
 
     /// Short circuits of the last step, in the order of time.
     std::span<const ShortCircuit> last() const { return {last_.data(), listed_}; }

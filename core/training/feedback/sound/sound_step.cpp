@@ -1,6 +1,7 @@
 #include "core/training/feedback/sound/sound_step.hpp"
 
 #include "core/weld/process/shielding_gas.hpp"
+#include "core/weld/process/weld_constants.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -12,7 +13,6 @@ namespace meltpool {
 namespace {
 
 constexpr double kMm = 1e-3;
-constexpr double kGlobularDrop = 2; // wire diameters
 
 bool isOpen(const ArcState& arc) {
     return arc.action == ArcAction::burning || arc.action == ArcAction::breaking;
@@ -43,7 +43,8 @@ void SoundSource::transfer(gl::StateArchive& archive) {
 
 void SoundSource::step(const ProcessSettings& settings, const ArcState& arc, const TorchSample& torch, double seconds,
                        double hottest) {
-    shorts_.step(arc, seconds);
+    const Equipment tools = equipmentOf(settings);
+    shorts_.step(arc, seconds, tools.controlledShorts);
     last_ = {};
     last_.seconds = seconds;
     last_.process = &traitsOf(settings);
@@ -53,7 +54,6 @@ void SoundSource::step(const ProcessSettings& settings, const ArcState& arc, con
     if (tip_ && seconds > 0) last_.tipSpeed = glm::distance(*tip_, torch.tip) / static_cast<float>(seconds);
     tip_ = torch.tip;
     if (alternating_) last_.alternating = last_.process->alternating;
-    const Equipment tools = equipmentOf(settings);
     last_.withoutGas = tools.withoutGas();
     if (tools.wire > 0 && isOpen(arc))
         last_.dropRate =

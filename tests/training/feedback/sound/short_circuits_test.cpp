@@ -1,5 +1,6 @@
 // Single short circuits from the arc's rate.
 #include "core/training/feedback/sound/short_circuits.hpp"
+#include "core/weld/process/weld_constants.hpp"
 #include "tests/support/catch.hpp"
 
 #include <cmath>
@@ -89,4 +90,19 @@ TEST_CASE("short circuits do not come evenly, but never together", "[sound]") {
     CHECK(least < 0.8 / 120);
     CHECK(most > 1.2 / 120);
     CHECK(most < (1 + ShortCircuits::kUnevenness + 0.01) / 120);
+}
+
+TEST_CASE("a machine that controls its short circuits makes them evenly, and opens them with little power", "[sound]") {
+    ShortCircuits shorts;
+    double time = 0, last = -1;
+    for (int i = 0; i < 200; ++i, time += 1.0 / 90) {
+        shorts.step(shortingArc(70), 1.0 / 90, true);
+        for (const ShortCircuit& each : shorts.last()) {
+            CHECK(static_cast<double>(each.power) == Approx(18 * kControlledBreakCurrent));
+            const double at = time + static_cast<double>(each.at);
+            if (last >= 0) CHECK(at - last == Approx(1.0 / 70).epsilon(1e-4));
+            last = at;
+        }
+    }
+    CHECK(shorts.count() > 150);
 }
