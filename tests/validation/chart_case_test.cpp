@@ -1,6 +1,7 @@
 // Cases that name a row of a maker's chart have its values.
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
+#include "core/validation/torch_run.hpp"
 #include "core/validation/validation_case.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
@@ -111,6 +112,16 @@ TEST_CASE("A row that does not fit the case is refused", "[validation][chart]") 
                test::containsText("and a gmaw arc"));
     CHECK_THAT(faultOf("butt", "row = \"OTC-BC5\"\nwire_diameter_mm = 1.2\nposition = \"1F\"\n"),
                test::containsText("position: is '1F'; expected one of"));
+}
+
+TEST_CASE("A case's machine has its kind of short circuits, ordinary ones without it", "[validation]") {
+    const std::string row = "row = \"OTC-HF7\"\n";
+    const auto kindOf = [&](const std::string& more) {
+        return static_cast<ShortCircuitKind>(caseProcess(read("tee", row + more)).of<Gmaw>().shortCircuits);
+    };
+    CHECK(kindOf("") == ShortCircuitKind::ordinary);
+    CHECK(kindOf("short_circuits = \"ordinary\"\n") == ShortCircuitKind::ordinary);
+    CHECK(kindOf("short_circuits = \"controlled\"\n") == ShortCircuitKind::controlled);
 }
 
 TEST_CASE("Every shipped case of a chart reads", "[validation][chart]") {

@@ -8,7 +8,7 @@ namespace meltpool {
 /// Drops of a wire. Between two short circuits the drop grows until it touches; in an open arc it falls off.
 class WireDrops {
   public:
-    /// Greatest diameter of a drop, in wire diameters.
+    /// Greatest drawn diameter of a drop, in wire diameters: a larger one would hide the arc.
     static constexpr double kThickest = 1.6;
 
     void reset() { *this = {}; }

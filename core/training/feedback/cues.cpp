@@ -23,27 +23,51 @@ int demandedDirection(const TechniqueBands* bands) {
     return bands->direction == TravelDirection::forward ? 1 : -1;
 }
 
+/// False while the arc burns, or the hand must move away from the metal to get one.
+bool canApproach(const ArcState& arc) {
+    switch (arc.noArc) {
+    case NoArc::released:
+    case NoArc::feeding:
+    case NoArc::tooLong:
+    case NoArc::tooFar:
+    case NoArc::metalLeft:
+    case NoArc::noMetal:
+        return !arc.burns();
+    case NoArc::burns:
+    case NoArc::touched:
+    case NoArc::touching:
+    case NoArc::stuck:
+    case NoArc::noWire:
+    case NoArc::usedUp:
+        return false;
+    }
+    return false;
+}
+
 /// Returns the distance (m) where technique knows none, or NaN. From a contact tip that was pushed into the metal no
-/// surface is ahead: it is too near by its depth. An arc that does not burn has no length: the height over the seam
-/// counts until the hand is low enough to strike.
-double distanceByHeight(double height, bool fromTip, const TechniqueBands& bands) {
+/// surface is ahead: it is too near by its depth. Before the arc the way to the metal is shown while it is longer than
+/// the lesson's arc, but not to a hand that touches, sticks, or has welded.
+double distanceWithoutArc(const Technique& technique, const ArcState& arc, const TechniqueBands& bands) {
+    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+    const double height = technique.now()[TechniqueQuantity::height];
+    if (technique.settings().distance == DistanceKind::ctwd) return height < 0 ? height : kUnknown;
     const TechniqueBand* band = bands.find(TechniqueQuantity::distance);
+    const bool welded = arc.noArc == NoArc::released && technique.faults().arcSeconds > 0;
+    if (band == nullptr || welded || !canApproach(arc)) return kUnknown;
+    const double way = std::isfinite(arc.distance) ? static_cast<double>(arc.distance) : height;
     const double perSi = quantityInfo(TechniqueQuantity::distance, bands.distance).perSi;
-    const bool counts = fromTip ? height < 0 : band != nullptr && height * perSi > band->ideal;
-    return counts ? height : std::numeric_limits<double>::quiet_NaN();
+    return way * perSi > band->ideal ? way : kUnknown;
 }
 
 /// Present values of the hand as cues show them; the travel angle counts along the demanded direction while none is
 /// sensed.
-TechniqueValues valuesOf(const Technique& technique, const TechniqueBands& bands) {
+TechniqueValues valuesOf(const Technique& technique, const ArcState& arc, const TechniqueBands& bands) {
     TechniqueValues values = technique.now();
     const int demanded = demandedDirection(&bands);
     double& angle = values[TechniqueQuantity::travelAngle];
     if (std::isnan(angle) && demanded != 0) angle = demanded * technique.steps().back().lean;
     double& distance = values[TechniqueQuantity::distance];
-    if (std::isnan(distance))
-        distance = distanceByHeight(values[TechniqueQuantity::height],
-                                    technique.settings().distance == DistanceKind::ctwd, bands);
+    if (std::isnan(distance)) distance = distanceWithoutArc(technique, arc, bands);
     return values;
 }
 
@@ -179,7 +203,7 @@ CueList liveCues(const Technique& technique, const ArcState& arc, const Techniqu
     if (technique.steps().empty()) return list;
     const bool near = !isPutAside(technique.now(), arc);
     if (bands != nullptr && near) {
-        const TechniqueValues values = valuesOf(technique, *bands);
+        const TechniqueValues values = valuesOf(technique, arc, *bands);
         for (const CuedQuantity& cued : kCued) {
             const TechniqueBand* band = bands->find(cued.quantity);
             if (band == nullptr || !shown.has(cued.kind) || !knownAtOnce(*bands, cued.quantity)) continue;

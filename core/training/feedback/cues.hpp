@@ -133,10 +133,10 @@ inline constexpr double kCueReach = 60e-3;
 int cueDirection(const Technique& technique, const TechniqueBands* bands);
 
 /// The cues of the kinds in `shown` after the last step. A quantity has none if the lesson has no band for it or its
-/// value is unknown, and no aim if the lesson asks for a weave; an arc's length is the height over the seam while the
-/// torch is too high to strike; until the direction of travel is sensed, the travel
-/// angle uses the demanded one. The arc has a cue while it does not burn for a reason that the hand can change. Empty
-/// before the first step.
+/// value is unknown, and no aim if the lesson asks for a weave; an arc that does not burn yet has the way to the
+/// metal in place of its length while that is longer than the lesson asks; until the direction of travel is sensed, the
+/// travel angle uses the demanded one. The arc has a cue while it does not burn for a reason that the hand can change.
+/// Empty before the first step.
 CueList liveCues(const Technique& technique, const ArcState& arc, const TechniqueBands* bands, CueSet shown,
                  const CueSkill& skill);
 

@@ -17,6 +17,7 @@ constexpr float kHardKnock = 0.2f;      // m/s of a knock at full strength
 constexpr float kHumFrequency = 170.0f; // near the resonance of common voice-coil motors
 constexpr float kLongArcFrequency = 90.0f;
 constexpr float kPoolDrop = 20.0f; // Hz by which a pool lowers the hum
+constexpr float kLeastShorts = 20; // 1/s of an open arc: fewer are no stutter
 constexpr float kBuzzFrequency = 45.0f;
 constexpr float kBuzzAmplitude = 0.8f;
 
@@ -51,8 +52,9 @@ Vibration feel(const TipFeel& tip) {
     case ArcAction::out:
         break;
     case ArcAction::striking:
-    case ArcAction::burning:
         return hum(tip.arc);
+    case ArcAction::burning:
+        return tip.arc.shorts < kLeastShorts ? hum(tip.arc) : stutter(hum(tip.arc), shortBeats(tip));
     case ArcAction::shorting:
         return stutter(hum(tip.arc), shortBeats(tip));
     case ArcAction::breaking:

@@ -114,9 +114,9 @@ ParameterList describe(GmawSettings& s) {
         {"wire_feed_m_min", "Wire feed", "m/min", &s.wireFeedMPerMin, 0, 30, "More wire takes more current."},
         {"wire_diameter_mm", "Wire diameter", "mm", &s.wireDiameterMm, 0.5, 2.4, "Thicker wire takes more current."},
         {"short_circuits", "Short circuits", "", &s.shortCircuits, 0, 1,
-         "Controlled: the machine opens each one without spatter, also at a low voltage.", kShortCircuits},
-        {"inductance", "Inductance", "", &s.inductance, 0, 2, "A higher value makes fewer and softer shorts.",
-         kInductances},
+         "Controlled: the machine ends each one without spatter, also at a low voltage.", kShortCircuits},
+        {"inductance", "Inductance", "", &s.inductance, 0, 2,
+         "A higher value makes fewer and softer shorts, if they are ordinary.", kInductances},
         {"stick_out_mm", "Stick-out", "mm", &s.stickOutMm, 3, 40,
          "Length of the wire at the start: tip-to-work distance less the arc."},
         {"gas", "Gas", "", &s.gas, 0, static_cast<double>(shieldingGasNames().size()) - 1,
@@ -153,7 +153,7 @@ WireFeed Gmaw::feed() const {
             WireMelting::steel(static_cast<double>(settings_.wireDiameterMm * kMm)),
             wireArea() * metal_.density * heat / kGmawEfficiency,
             gasOf(settings_).arcVoltage,
-            controlled()};
+            isControlled(settings_)};
 }
 
 /// Returns the stirring at the current that melts the wire as fast as it is fed.
@@ -193,13 +193,9 @@ EdgeArrest Gmaw::edgeArrest() const {
             std::lerp(cold.coldShare, kStefanColdShare, full), std::lerp(cold.warmShare, kStefanWarmShare, full)};
 }
 
-bool Gmaw::controlled() const {
-    return isControlled(settings_);
-}
-
 /// Returns the shorts (1/s) of a wire that just touches.
 float Gmaw::mostShorts() const {
-    if (controlled()) return kControlledShorts;
+    if (isControlled(settings_)) return kControlledShorts;
     return kMostShorts * kInductanceRates[static_cast<size_t>(settings_.inductance)];
 }
 
@@ -243,8 +239,10 @@ void Gmaw::takeOver() {
     arc_.voltage = static_cast<float>(wire_.voltage());
     arc_.stretch = static_cast<float>(wire_.stretch());
     arc_.share = arc_.burns() ? 1.0F : 0.0F;
+    if (!arc_.burns()) return;
+    // A wire that touches has them at any current; above that of spray its arc is buried, and its drops are hot.
     const double left = arc_.action == ArcAction::shorting ? 1 : shortsLeft(wire_.length(), wire_.current());
-    if (arc_.burns()) arc_.shorts = mostShorts() * static_cast<float>(left);
+    arc_.shorts = mostShorts() * static_cast<float>(left);
 }
 
 /// Efficiency times U I goes into the metal: a part with the drops, the rest onto the surface. In spray the arc

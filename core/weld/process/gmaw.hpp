@@ -69,7 +69,6 @@ class Gmaw : public Process {
     double settledCurrent() const;
     double shortsLeft(double length, double current) const;
     double dipping() const;
-    bool controlled() const;
     float mostShorts() const;
     double wireArea() const;
     void takeOver();

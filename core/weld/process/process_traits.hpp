@@ -101,7 +101,7 @@ struct Equipment {
     /// 1/s, drops that an open arc throws; 0: the process throws none. No source gives numbers of drops; all are chosen
     /// by the look of films of such arcs.
     double spatter = 0;
-    bool controlledShorts = false; ///< the machine opens each short circuit of the wire without spatter
+    bool controlledShorts = false; ///< the machine ends each short circuit of the wire without spatter
     FreezingRipples ripples{};
     std::array<MachineDisplay, 2> displays{};
     const ShieldingGas* gas = nullptr; ///< gas from the torch's nozzle; null: the process has none

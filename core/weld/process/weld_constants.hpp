@@ -36,8 +36,8 @@ inline constexpr double kShortCircuitCurrent = 600;
 inline constexpr double kBlockedTip = 1e-3;
 /// A below which an arc between steel and a thin wire does not hold. Trade knowledge; no document was checked.
 inline constexpr double kLeastArcCurrent = 20;
-/// Share of the arc's own voltage, on average, below which the wire stays in the metal. No source: chosen; the logged
-/// beads burned at 0.63 and more.
+/// Share of the arc's own voltage, on average, below which the wire of an ordinary machine stays in the metal. No
+/// source: chosen.
 inline constexpr double kStubShare = 0.6;
 /// A that flow when a machine with controlled short circuits opens one. A maker's data sheet of such a machine: 45
 /// to 50.
@@ -61,8 +61,8 @@ inline constexpr double kDropTemperature = 2473.15;
 /// K, temperature of drops that a dipping wire leaves in the pool: measurements are between 1900 and 2300 K; no
 /// document was checked. Fitted on D.
 inline constexpr double kDipDropTemperature = 2100;
-/// Wire diameters, drop of a wire that does not spray, which dips into the pool if the arc is shorter. High-speed films
-/// of globular transfer.
+/// Wire diameters, drop of a wire that does not spray; it decides how often the drop bridges the arc, see
+/// Gmaw::shortsLeft(). Drawings of welding handbooks.
 inline constexpr double kGlobularDrop = 2;
 /// m/s of drops that leave the wire in dip and globular transfer. High-speed films of both.
 inline constexpr float kDropSpeed = 0.3F;
@@ -172,16 +172,16 @@ inline constexpr double kWarmShare = 0.85;
 // A dipping wire whose arc burns nearly all the time warms the plates before the pool's edge, and each short circuit
 // shakes the pool: its edge runs on farther before it freezes. (Drops that are driven spread farther than such that are
 // laid down: Chapuis et al. 2013; no document was checked.) The less the arc burns between short circuits, the more the
-// constants above hold. An arc that stays open, tungsten arcs and covered electrodes have those.
+// constants above hold. An arc that stays open, tungsten arcs and covered electrodes keep those.
 
-/// Share of the time, see arcTime(), up to which a dipping wire's edge freezes on cold metal as above. Above all logged
-/// beads that dip, 0.63 to 0.79.
+/// Share of the time, see arcTime(), up to which the constants above hold for a dipping wire. All logged beads that dip
+/// have less, 0.63 to 0.79.
 inline constexpr double kColdArcTime = 0.8;
 /// Share from which the edge runs on. Charts of dip transfer have 0.89 to 1 in the middle. No source: chosen.
 inline constexpr double kFullArcTime = 0.95;
-/// kColdAngle, kColdShare and kWarmShare with an arc of that share: 30 degrees for each unit of the Stefan number, heat
-/// capacity times solidus less temperature over latent heat, by which the angle of freezing drops goes (Schiaffino and
-/// Sonin 1997; the factor is fitted on D). Of steel that is 0.08 degrees a kelvin, here from the solidus to 125
+/// kColdAngle, kColdShare and kWarmShare with an arc of kFullArcTime: 30 degrees for each unit of the Stefan number,
+/// heat capacity times solidus less temperature over latent heat, by which the angle of freezing drops goes (Schiaffino
+/// and Sonin 1997; the factor is fitted on D). Of steel that is 0.08 degrees a kelvin, here from the solidus to 125
 /// degrees.
 inline constexpr double kStefanAngle = 125;
 inline constexpr double kStefanColdShare = 0.11;

@@ -25,10 +25,9 @@ struct WireFeed {
     double voltage = 20; ///< V at the terminals, which the machine holds
     double speed = 0.1;  ///< m/s of wire
     WireMelting melting;
-    double meltingEnergy = 0; ///< J of electric energy that melt a metre of wire, losses included; 0: unknown
-    double gasVoltage = 0;    ///< V more for the arc than kArcFallVoltage, see ShieldingGas::arcVoltage
-    bool controlledShorts =
-        false; ///< the machine opens each short circuit, so that a low voltage lets no wire stay in it
+    double meltingEnergy = 0;      ///< J of electric energy that melt a metre of wire, losses included; 0: unknown
+    double gasVoltage = 0;         ///< V more for the arc than kArcFallVoltage, see ShieldingGas::arcVoltage
+    bool controlledShorts = false; ///< the machine ends each short circuit: none lasts
 };
 
 /// One wire on one machine. Between steps it stores the extension and the state of the arc.

@@ -55,6 +55,35 @@ TEST_CASE("each short circuit that is heard is seen to throw spatter, and none t
     CHECK(sight.effects().spatter().bursts() == heard);
 }
 
+TEST_CASE("a machine that controls its short circuits is heard and throws nothing", "[effects]") {
+    ProcessSettings process;
+    process.choose<Gmaw>().shortCircuits = static_cast<int>(ShortCircuitKind::controlled);
+    SoundSource sound;
+    ArcAppearance sight;
+    const WorkpieceBlock plate{{-0.05F, -0.006F, -0.025F}, {0.05F, 0, 0.025F}};
+    SceneView metal;
+    metal.blocks = {&plate, 1};
+    metal.boxMin = {-0.05F, -0.012F, -0.025F};
+    metal.boxMax = {0.05F, 0.014F, 0.025F};
+    sight.open(metal);
+    size_t heard = 0;
+    float power = 0;
+    for (std::uint64_t number = 1; number <= 180; ++number) {
+        TorchSample torch;
+        torch.time = double(number) / 90;
+        torch.tip = {0, 0.003F, 0};
+        torch.trigger = 1;
+        sound.step(process, dipping(70), torch, 1.0 / 90, 1000);
+        heard += sound.last().shortCount;
+        for (const ShortCircuit& each : sound.last().shortCircuits())
+            power = std::max(power, each.power);
+        sight.step(process, sound.last(), torch, number);
+    }
+    CHECK(heard > 130);
+    CHECK(power < 18.0F * 60.0F); // an ordinary one has 18 V times 130 A
+    CHECK(sight.effects().spatter().bursts() == 0);
+}
+
 TEST_CASE("after a seek the spatter that is born is the same", "[effects]") {
     ProcessSettings process;
     process.choose<Gmaw>();

@@ -136,15 +136,21 @@ TEST_CASE("before the arc a torch that is higher than the arc is long is too far
     bands.bands[1] = {TechniqueQuantity::distance, 3, 1, 2};
     TechniqueSettings tungsten;
     tungsten.distance = DistanceKind::arcLength;
-    const auto distanceCue = [&](double heightMm, bool burns) -> std::optional<Cue> {
+    const auto distanceCue = [&](double heightMm, bool burns, NoArc reason = NoArc::tooFar,
+                                 float wayMm = std::numeric_limits<float>::infinity(),
+                                 double welded = 0) -> std::optional<Cue> {
         Hand hand;
-        hand.burns = burns;
         hand.distanceMm = 3.5;
         hand.tipHeightMm = heightMm;
-        const Technique held = test::weldWith(
-            test::plateSeam(), 1, [&](double) { return hand; }, tungsten);
+        const auto holds = [&](double time) {
+            hand.burns = burns || time < welded;
+            return hand;
+        };
+        const Technique held = test::weldWith(test::plateSeam(), 1, holds, tungsten);
         ArcState arc;
         arc.action = burns ? ArcAction::burning : ArcAction::out;
+        arc.noArc = burns ? NoArc::burns : reason;
+        arc.distance = wayMm * 1e-3F;
         const CueList cues = liveCues(held, arc, &bands, CueSet::all(), {});
         const Cue* cue = cues.find(TechniqueQuantity::distance);
         return cue == nullptr ? std::nullopt : std::optional(*cue);
@@ -155,6 +161,15 @@ TEST_CASE("before the arc a torch that is higher than the arc is long is too far
     CHECK(high->zone == BandZone::beyond);
     CHECK(high->correction() == -1);
     CHECK_FALSE(distanceCue(2, false)); // the way down to the strike
+    // The way from a burnt electrode's own end counts, where metal is ahead.
+    REQUIRE(distanceCue(2, false, NoArc::tooLong, 20));
+    CHECK(distanceCue(2, false, NoArc::tooLong, 20)->offset == Approx(17).margin(0.02));
+    CHECK_FALSE(distanceCue(12, false, NoArc::tooFar, 2));
+    for (const NoArc reason : {NoArc::touching, NoArc::touched, NoArc::stuck, NoArc::usedUp})
+        CHECK_FALSE(distanceCue(12, false, reason));
+    CHECK(distanceCue(12, false, NoArc::released));
+    CHECK_FALSE(distanceCue(12, false, NoArc::released, 12, 0.5)); // the weld is over
+    CHECK(distanceCue(12, false, NoArc::tooLong, 12, 0.5));
     REQUIRE(distanceCue(12, true));
     CHECK(distanceCue(12, true)->offset == Approx(0.5).margin(0.02)); // the arc's own length
 }

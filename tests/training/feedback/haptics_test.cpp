@@ -94,6 +94,18 @@ TEST_CASE("a wire that shorts stutters with its short circuits, a pulse for each
     }
 }
 
+TEST_CASE("an open arc that drops bridge stutters, too, and one with few short circuits hums") {
+    TipFeel tip = burning(1);
+    tip.arc.shorts = 100;
+    tip.shorts = 3.5; // in the second half of a beat of six
+    CHECK(feel(tip).silent());
+    tip.shorts = 1;
+    CHECK_FALSE(feel(tip).silent());
+    tip.shorts = 3.5;
+    tip.arc.shorts = 5;
+    CHECK_FALSE(feel(tip).silent());
+}
+
 TEST_CASE("a stubbed wire buzzes, lower and stronger than any hum") {
     TipFeel tip = burning(1);
     tip.arc.action = ArcAction::stubbed;

@@ -113,8 +113,8 @@ double nextDrop(Process& process) {
 
 } // namespace
 
-TEST_CASE(
-    "the longer a dipping wire's arc burns, the farther the pool's edge runs on over cold metal, until it stays open") {
+TEST_CASE("the longer a dipping wire's arc burns, the farther the pool's edge runs on over cold metal, until the arc "
+          "stays open") {
     const EdgeArrest cold = settledGmaw(15, 3.6F)->edgeArrest();
     CHECK(cold.coldAngle == Approx(kColdAngle * 3.14159265 / 180));
     CHECK(cold.coldShare == kColdShare);

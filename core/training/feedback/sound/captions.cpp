@@ -21,9 +21,9 @@ constexpr double kMomentStays = 1.0; // s that a caption of ticks and strokes st
 
 /// Mean and square of the rate over the last kMemory, from the first short circuit on.
 void Captions::followRate(const SoundStep& step) {
-    const bool shorts = step.arc.action == ArcAction::shorting && step.process != nullptr && step.process->feedsWire;
-    const double rate = shorts ? static_cast<double>(step.arc.shorts) : 0;
-    if (!shorts && mean_ < kForgotten) {
+    const bool wire = step.process != nullptr && step.process->feedsWire;
+    const double rate = wire && ignitesAgain(step.arc.action) ? static_cast<double>(step.arc.shorts) : 0;
+    if (rate < kForgotten && mean_ < kForgotten) {
         mean_ = square_ = weight_ = 0;
         return;
     }

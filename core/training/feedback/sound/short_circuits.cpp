@@ -6,10 +6,6 @@ namespace meltpool {
 
 namespace {
 
-bool ignitesAgain(ArcAction action) {
-    return action == ArcAction::shorting || action == ArcAction::burning || action == ArcAction::breaking;
-}
-
 /// A pseudo-random number -1..1 for each count.
 double scatter(std::uint64_t count) {
     // The finaliser of SplitMix64 (Steele, Lea, Flood 2014): neighbouring counts give unrelated numbers.
@@ -21,6 +17,10 @@ double scatter(std::uint64_t count) {
 }
 
 } // namespace
+
+bool ignitesAgain(ArcAction action) {
+    return action == ArcAction::shorting || action == ArcAction::burning || action == ArcAction::breaking;
+}
 
 void ShortCircuits::step(const ArcState& arc, double seconds, bool controlled) {
     listed_ = 0;

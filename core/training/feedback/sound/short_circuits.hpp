@@ -11,6 +11,9 @@
 
 namespace meltpool {
 
+/// Returns false for a wire that strikes, stubs or has no arc: only the others have short circuits that end.
+bool ignitesAgain(ArcAction action);
+
 /// The end of a short circuit: the arc ignites again.
 struct ShortCircuit {
     float at = 0;    ///< s after the step's start
@@ -29,7 +32,7 @@ class ShortCircuits {
 
     void reset() { *this = {}; }
     /// Takes the state of a step of `seconds`. A wire that strikes or stubs does not ignite again. `controlled`: the
-    /// machine opens each short circuit; they come evenly, at kControlledBreakCurrent.
+    /// machine ends each short circuit; they come evenly, at kControlledBreakCurrent.
     void step(const ArcState& arc, double seconds, bool controlled = false);
 
     /// Short circuits of the last step, in the order of time.

@@ -56,8 +56,10 @@ void SoundSource::step(const ProcessSettings& settings, const ArcState& arc, con
     if (alternating_) last_.alternating = last_.process->alternating;
     last_.withoutGas = tools.withoutGas();
     if (tools.wire > 0 && isOpen(arc))
-        last_.dropRate =
-            static_cast<float>(wireDropRate(tools.wire, tools.wireSpeed, static_cast<double>(arc.current), *tools.gas));
+        last_.dropRate = std::max(static_cast<float>(wireDropRate(tools.wire, tools.wireSpeed,
+                                                                  static_cast<double>(arc.current), *tools.gas)) -
+                                      arc.shorts,
+                                  0.0F); // a drop that bridges the arc does not fall
     last_.shortPhase = shorts_.phase();
     last_.shortCount = shorts_.last().size();
     std::copy(shorts_.last().begin(), shorts_.last().end(), last_.shorts.begin());

@@ -43,6 +43,13 @@ TEST_CASE("captions tell even short circuits from uneven ones", "[sound]") {
     for (int i = 0; i < 180; ++i)
         captions.step(i % 40 < 20 ? shorting(shorts, 120) : openArc(Gmaw::kTraits));
     CHECK(captions.text() == "Short circuits, uneven");
+    // A short arc that drops bridge again and again.
+    for (int i = 0; i < 180; ++i) {
+        SoundStep step = shorting(shorts, 100);
+        step.arc.action = i % 3 == 0 ? ArcAction::shorting : ArcAction::burning;
+        captions.step(step);
+    }
+    CHECK(captions.text() == "Short circuits, even");
     SoundStep stubs = openArc(Gmaw::kTraits);
     stubs.arc.action = ArcAction::stubbed;
     CHECK(after(captions, stubs, 0.5) == "The wire stubs");
