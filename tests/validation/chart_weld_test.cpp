@@ -1,4 +1,4 @@
-// Welds at a chart's values: small and coarse, on each joint.
+// Welds at a chart's values: small, and coarse where that is enough, on each joint.
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "core/validation/validation.hpp"

@@ -55,7 +55,8 @@ class Spatter {
     /// on the table; returns the number of the last kind.
     size_t show(double time, std::vector<Spark>& sparks) const;
 
-    /// Returns the bursts since the start: one for each short circuit that ends by itself, and one for each arc that strikes.
+    /// Returns the bursts since the start: one for each short circuit that ends by itself, and one for each arc that
+    /// strikes.
     std::uint64_t bursts() const { return bursts_; }
     /// Returns the number of drops since the start.
     std::uint64_t born() const { return born_; }

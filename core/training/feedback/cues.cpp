@@ -23,25 +23,27 @@ int demandedDirection(const TechniqueBands* bands) {
     return bands->direction == TravelDirection::forward ? 1 : -1;
 }
 
-/// False while the arc burns, or the hand must move away from the metal to get one.
-bool canApproach(const ArcState& arc) {
-    switch (arc.noArc) {
+/// 1: the torch is too far from the metal, -1: too near, 0: neither helps; empty if the arc burns or is not wanted.
+std::optional<double> arcFault(NoArc reason) {
+    switch (reason) {
+    case NoArc::burns:
     case NoArc::released:
     case NoArc::feeding:
+        return std::nullopt;
     case NoArc::tooLong:
     case NoArc::tooFar:
-    case NoArc::metalLeft:
-    case NoArc::noMetal:
-        return !arc.burns();
-    case NoArc::burns:
+        return 1;
     case NoArc::touched:
     case NoArc::touching:
     case NoArc::stuck:
+        return -1;
+    case NoArc::metalLeft:
+    case NoArc::noMetal:
     case NoArc::noWire:
     case NoArc::usedUp:
-        return false;
+        return 0;
     }
-    return false;
+    return std::nullopt;
 }
 
 /// Returns the distance (m) where technique knows none, or NaN. From a contact tip that was pushed into the metal no
@@ -53,7 +55,8 @@ double distanceWithoutArc(const Technique& technique, const ArcState& arc, const
     if (technique.settings().distance == DistanceKind::ctwd) return height < 0 ? height : kUnknown;
     const TechniqueBand* band = bands.find(TechniqueQuantity::distance);
     const bool welded = arc.noArc == NoArc::released && technique.faults().arcSeconds > 0;
-    if (band == nullptr || welded || !canApproach(arc)) return kUnknown;
+    const bool mayApproach = arc.noArc != NoArc::usedUp && arcFault(arc.noArc).value_or(1) >= 0;
+    if (band == nullptr || arc.burns() || welded || !mayApproach) return kUnknown;
     const double way = std::isfinite(arc.distance) ? static_cast<double>(arc.distance) : height;
     const double perSi = quantityInfo(TechniqueQuantity::distance, bands.distance).perSi;
     return way * perSi > band->ideal ? way : kUnknown;
@@ -93,29 +96,6 @@ std::optional<Cue> cueOf(const CuedQuantity& cued, const TechniqueBand& band, do
 bool isPutAside(const TechniqueValues& values, const ArcState& arc) {
     return !arc.burns() && !(std::abs(values[TechniqueQuantity::height]) < kCueReach &&
                              std::abs(values[TechniqueQuantity::aim]) < kCueReach);
-}
-
-/// 1: the torch is too far from the metal, -1: too near, 0: neither helps; empty if the arc burns or is not wanted.
-std::optional<double> arcFault(NoArc reason) {
-    switch (reason) {
-    case NoArc::burns:
-    case NoArc::released:
-    case NoArc::feeding:
-        return std::nullopt;
-    case NoArc::tooLong:
-    case NoArc::tooFar:
-        return 1;
-    case NoArc::touched:
-    case NoArc::touching:
-    case NoArc::stuck:
-        return -1;
-    case NoArc::metalLeft:
-    case NoArc::noMetal:
-    case NoArc::noWire:
-    case NoArc::usedUp:
-        return 0;
-    }
-    return std::nullopt;
 }
 
 } // namespace

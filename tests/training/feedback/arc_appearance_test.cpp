@@ -20,68 +20,67 @@ ArcState dipping(float rate) {
     return arc;
 }
 
+constexpr double kStep = 1.0 / 90;
+
+/// A weld over a plate, heard and seen.
+class Weld {
+  public:
+    explicit Weld(ShortCircuitKind kind) {
+        process_.choose<Gmaw>().shortCircuits = static_cast<int>(kind);
+        SceneView metal;
+        metal.blocks = {&plate_, 1};
+        metal.boxMin = {-0.05F, -0.012F, -0.025F};
+        metal.boxMax = {0.05F, 0.014F, 0.025F};
+        sight_.open(metal);
+    }
+
+    void run(const ArcState& arc, int steps) {
+        for (int i = 0; i < steps; ++i) {
+            TorchSample torch;
+            torch.time = double(++number_) * kStep;
+            torch.tip = {0, 0.003F, 0};
+            torch.trigger = 1;
+            sound_.step(process_, arc, torch, kStep, 1000);
+            heard += sound_.last().shortCount;
+            for (const ShortCircuit& each : sound_.last().shortCircuits())
+                power = std::max(power, each.power);
+            sight_.step(process_, sound_.last(), torch, number_);
+        }
+    }
+
+    size_t counted() const { return sound_.shorts().count(); }
+    size_t bursts() const { return sight_.effects().spatter().bursts(); }
+
+    size_t heard = 0;
+    float power = 0; ///< W, the greatest of a short circuit's end
+
+  private:
+    WorkpieceBlock plate_{{-0.05F, -0.006F, -0.025F}, {0.05F, 0, 0.025F}};
+    ProcessSettings process_;
+    SoundSource sound_;
+    ArcAppearance sight_;
+    std::uint64_t number_ = 0;
+};
+
 } // namespace
 
 TEST_CASE("each short circuit that is heard is seen to throw spatter, and none that is not", "[effects]") {
-    ProcessSettings process;
-    process.choose<Gmaw>();
-    SoundSource sound;
-    ArcAppearance sight;
-    const WorkpieceBlock plate{{-0.05F, -0.006F, -0.025F}, {0.05F, 0, 0.025F}};
-    SceneView metal;
-    metal.blocks = {&plate, 1};
-    metal.boxMin = {-0.05F, -0.012F, -0.025F};
-    metal.boxMax = {0.05F, 0.014F, 0.025F};
-    sight.open(metal);
-    constexpr double kStep = 1.0 / 90;
-    std::uint64_t number = 0;
-    size_t heard = 0;
-    const auto weld = [&](const ArcState& arc, int steps) {
-        for (int i = 0; i < steps; ++i) {
-            TorchSample torch;
-            torch.time = double(++number) * kStep;
-            torch.tip = {0, 0.003F, 0};
-            torch.trigger = 1;
-            sound.step(process, arc, torch, kStep, 1000);
-            heard += sound.last().shortCount;
-            sight.step(process, sound.last(), torch, number);
-        }
-    };
-    weld(dipping(84), 180);
-    CHECK(heard == sound.shorts().count());
-    CHECK(heard > 150);
-    CHECK(sight.effects().spatter().bursts() == heard);
-    weld({}, 90);
-    CHECK(sight.effects().spatter().bursts() == heard);
+    Weld weld(ShortCircuitKind::ordinary);
+    weld.run(dipping(84), 180);
+    CHECK(weld.heard == weld.counted());
+    CHECK(weld.heard > 150);
+    CHECK(weld.bursts() == weld.heard);
+    const size_t heard = weld.heard;
+    weld.run({}, 90);
+    CHECK(weld.bursts() == heard);
 }
 
 TEST_CASE("a machine that controls its short circuits is heard and throws nothing", "[effects]") {
-    ProcessSettings process;
-    process.choose<Gmaw>().shortCircuits = static_cast<int>(ShortCircuitKind::controlled);
-    SoundSource sound;
-    ArcAppearance sight;
-    const WorkpieceBlock plate{{-0.05F, -0.006F, -0.025F}, {0.05F, 0, 0.025F}};
-    SceneView metal;
-    metal.blocks = {&plate, 1};
-    metal.boxMin = {-0.05F, -0.012F, -0.025F};
-    metal.boxMax = {0.05F, 0.014F, 0.025F};
-    sight.open(metal);
-    size_t heard = 0;
-    float power = 0;
-    for (std::uint64_t number = 1; number <= 180; ++number) {
-        TorchSample torch;
-        torch.time = double(number) / 90;
-        torch.tip = {0, 0.003F, 0};
-        torch.trigger = 1;
-        sound.step(process, dipping(70), torch, 1.0 / 90, 1000);
-        heard += sound.last().shortCount;
-        for (const ShortCircuit& each : sound.last().shortCircuits())
-            power = std::max(power, each.power);
-        sight.step(process, sound.last(), torch, number);
-    }
-    CHECK(heard > 130);
-    CHECK(power < 18.0F * 60.0F); // an ordinary one has 18 V times 130 A
-    CHECK(sight.effects().spatter().bursts() == 0);
+    Weld weld(ShortCircuitKind::controlled);
+    weld.run(dipping(70), 180);
+    CHECK(weld.heard > 130);
+    CHECK(weld.power < 18.0F * 60.0F); // an ordinary one has 18 V times 130 A
+    CHECK(weld.bursts() == 0);
 }
 
 TEST_CASE("after a seek the spatter that is born is the same", "[effects]") {
@@ -89,7 +88,6 @@ TEST_CASE("after a seek the spatter that is born is the same", "[effects]") {
     process.choose<Gmaw>();
     SoundSource sound;
     ArcAppearance whole, sought;
-    constexpr double kStep = 1.0 / 90;
     std::uint64_t born = 0;
     for (std::uint64_t number = 1; number <= 400; ++number) {
         TorchSample torch;

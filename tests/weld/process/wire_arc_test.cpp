@@ -149,7 +149,7 @@ TEST_CASE("wire that is fed into the air stands out as far as it was fed, and st
 TEST_CASE("too little voltage stubs") {
     CHECK(settled(machine(11), 12 * kMm).action() == ArcAction::stubbed);
     CHECK(settled(machine(16), 12 * kMm).action() == ArcAction::shorting);
-    // A machine that opens each short circuit lets no wire stay in it.
+    // A machine that ends each short circuit lets no wire stay in it.
     WireFeed controlled = machine(11);
     controlled.controlledShorts = true;
     CHECK(settled(controlled, 12 * kMm).action() == ArcAction::shorting);
